@@ -1,0 +1,1 @@
+//! From a document to a checked graph, with all findings on the way.

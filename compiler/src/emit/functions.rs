@@ -1,0 +1,1 @@
+//! Transcendental functions of the standard tier, composed of [`super::Real`] operations.

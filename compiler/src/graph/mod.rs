@@ -1,0 +1,112 @@
+//! A checked graph: names resolved, types settled, every input bound. What [`crate::check`] makes
+//! and the engines start from.
+
+use crate::nodes::{Literal, NodeType, Type};
+use std::ops::RangeInclusive;
+
+/// A phenomenon without findings of severity error.
+#[derive(Clone, Debug)]
+pub struct Graph {
+    /// Name of the phenomenon.
+    pub name: String,
+    /// Parameters of the interface, in file order.
+    pub parameters: Vec<Parameter>,
+    /// Nodes; connections between them form no cycle.
+    pub nodes: Vec<Node>,
+    /// Roots, at most one for each shader type.
+    pub roots: Vec<Root>,
+}
+
+/// An interface parameter.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Its name.
+    pub name: String,
+    /// Its doc.
+    pub doc: String,
+    /// Its type.
+    pub value_type: Type,
+    /// Its default, of that type.
+    pub default: Literal,
+    /// Values it may be bound to, per component.
+    pub range: RangeInclusive<f64>,
+}
+
+/// A node of a graph.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// Its name; inside nested phenomena joined by `/`.
+    pub name: String,
+    /// Its type in the [`crate::nodes::NodeLibrary`] the graph was checked with.
+    pub node_type: NodeType,
+    /// Position in [`crate::nodes::Definition::overloads`].
+    pub overload: usize,
+    /// One for each input of the signature.
+    pub inputs: Vec<Binding>,
+}
+
+/// What an input, or a root, gets its value from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Binding {
+    /// Nothing given: the default of the signature.
+    Default,
+    /// A literal, already of the input's type.
+    Literal(Literal),
+    /// A parameter of the interface, by position; converted as [`Type::converts_to`] allows.
+    Parameter(usize),
+    /// An output of a node, by positions; converted as [`Type::converts_to`] allows.
+    Node {
+        /// Position in [`Graph::nodes`].
+        node: usize,
+        /// Position in the signature's outputs.
+        output: usize,
+    },
+}
+
+/// What a root is called for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum RootKind {
+    /// A visible ray hit the surface; yields the colour it sees.
+    Material,
+    /// A shadow ray hit the surface; yields the colour by which light is multiplied.
+    Shadow,
+    /// A ray left the scene; yields the colour it sees.
+    Environment,
+}
+
+impl RootKind {
+    /// Every kind.
+    pub const ALL: [RootKind; 3] = [RootKind::Material, RootKind::Shadow, RootKind::Environment];
+
+    /// Name in graph files.
+    pub fn name(self) -> &'static str {
+        match self {
+            RootKind::Material => "material",
+            RootKind::Shadow => "shadow",
+            RootKind::Environment => "environment",
+        }
+    }
+}
+
+/// A root of a phenomenon.
+#[derive(Clone, Debug)]
+pub struct Root {
+    /// What it is called for.
+    pub kind: RootKind,
+    /// A colour.
+    pub color: Binding,
+    /// A boolean, false for mental ray's miFALSE; [`Binding::Default`] means always true.
+    pub ok: Binding,
+}
+
+impl Graph {
+    /// The root of a kind.
+    pub fn root(&self, kind: RootKind) -> Option<&Root> {
+        self.roots.iter().find(|root| root.kind == kind)
+    }
+
+    /// Position of the parameter called `name`.
+    pub fn parameter(&self, name: &str) -> Option<usize> {
+        self.parameters.iter().position(|parameter| parameter.name == name)
+    }
+}

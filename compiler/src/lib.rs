@@ -1,0 +1,12 @@
+//! Reads, checks, compiles and evaluates shader graphs.
+
+pub mod check;
+pub mod diagnostics;
+pub mod document;
+pub mod effects;
+pub mod emit;
+pub mod engine;
+pub mod graph;
+pub mod nodes;
+pub mod ops;
+pub mod state;
