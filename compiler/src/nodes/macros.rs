@@ -41,16 +41,15 @@ macro_rules! node {
 
         /// What the list of nodes holds of this node.
         pub fn definition() -> $crate::nodes::Definition {
-            let guards = vec![$($crate::node!(@no_guard $($guard)?),)*];
             $crate::nodes::Definition {
                 signature: $crate::node!(@signature [$($doc)+] $name $group $source,
                     [$($input [$($idoc)+] $itype [$default] [$($irange)?] [$($guard)?] [];)*]
                     [$($output [$($odoc)+] generic [$($orange)?];)+]
                     $crate::nodes::Kind::Plain),
                 overloads: vec![
-                    $crate::nodes::Overload { generic: Some($crate::nodes::Type::Scalar), code: Some($crate::nodes::Code::of::<ScalarBody>()), guards: guards.clone() },
-                    $crate::nodes::Overload { generic: Some($crate::nodes::Type::Vector), code: Some($crate::nodes::Code::of::<VectorBody>()), guards: guards.clone() },
-                    $crate::nodes::Overload { generic: Some($crate::nodes::Type::Color), code: Some($crate::nodes::Code::of::<ColorBody>()), guards },
+                    $crate::nodes::Overload { generic: Some($crate::nodes::Type::Scalar), code: Some($crate::nodes::Code::of::<ScalarBody>()), guards: $crate::node!(@generic_guards One [$($input : $itype,)*] [$([$($guard)?])*]) },
+                    $crate::nodes::Overload { generic: Some($crate::nodes::Type::Vector), code: Some($crate::nodes::Code::of::<VectorBody>()), guards: $crate::node!(@generic_guards Vector [$($input : $itype,)*] [$([$($guard)?])*]) },
+                    $crate::nodes::Overload { generic: Some($crate::nodes::Type::Color), code: Some($crate::nodes::Code::of::<ColorBody>()), guards: $crate::node!(@generic_guards Color [$($input : $itype,)*] [$([$($guard)?])*]) },
                 ],
             }
         }
@@ -179,6 +178,15 @@ macro_rules! node {
         let _ = (at, inputs.back_end);
         inputs
     }};
+    (@generic_read $shape:ident, $e:ident, $emit:ident, $words:ident, [$($input:ident : $itype:ident,)*]) => {{
+        let mut at = 0;
+        let inputs = Inputs::<$e, $crate::emit::$shape<$e::Real>> {
+            $($input: $crate::node!(@generic_load $shape, $emit, $words, at, $itype),)*
+            back_end: std::marker::PhantomData,
+        };
+        let _ = (at, inputs.back_end);
+        inputs
+    }};
     (@generic_body $body:ident, $shape:ident, [$($input:ident : $itype:ident,)*], [$($output:ident : $otype:ident,)+]) => {
         struct $body;
 
@@ -190,16 +198,11 @@ macro_rules! node {
                 words: &impl $crate::emit::Words<E>,
                 sink: &mut impl $crate::emit::Sink<E>,
             ) {
-                let mut at = 0;
-                let inputs = Inputs::<E, $crate::emit::$shape<E::Real>> {
-                    $($input: $crate::node!(@generic_load $shape, emit, words, at, $itype),)*
-                    back_end: std::marker::PhantomData,
-                };
-                let _ = at;
+                let inputs = $crate::node!(@generic_read $shape, E, emit, words, [$($input : $itype,)*]);
                 let result: Outputs<$crate::emit::$shape<E::Real>> = body(emit, &inputs);
-                at = 0;
+                let mut at = 0;
                 $($crate::node!(@generic_write $shape, sink, at, result.$output, $otype);)+
-                let _ = (at, inputs.back_end);
+                let _ = at;
             }
         }
     };
@@ -259,7 +262,6 @@ macro_rules! node {
     (@generic_write $shape:ident, $sink:ident, $at:ident, $value:expr, $type:ident) => { $crate::node!(@write $sink, $at, $value, $type) };
 
     (@nothing $input:ident) => { None };
-    (@no_guard) => { None };
     (@guards $inputs:tt [$([$($guard:ident)?])*]) => { vec![$($crate::node!(@guard $inputs $($guard)?)),*] };
     (@guard $inputs:tt) => { None };
     (@guard [$($input:ident : $itype:ident,)*] $guard:ident) => {{
@@ -273,6 +275,25 @@ macro_rules! node {
                 sink: &mut impl $crate::emit::Sink<E>,
             ) {
                 let inputs = $crate::node!(@read E, emit, words, [$($input : $itype,)*]);
+                sink.mask(0, $guard(emit, &inputs));
+            }
+        }
+        Some($crate::nodes::Code::of::<Guard>())
+    }};
+
+    (@generic_guards $shape:ident $inputs:tt [$([$($guard:ident)?])*]) => { vec![$($crate::node!(@generic_guard $shape $inputs $($guard)?)),*] };
+    (@generic_guard $shape:ident $inputs:tt) => { None };
+    (@generic_guard $shape:ident [$($input:ident : $itype:ident,)*] $guard:ident) => {{
+        struct Guard;
+        impl $crate::nodes::Body for Guard {
+            const OUTPUTS: usize = 1;
+            #[inline(always)]
+            fn run<E: $crate::emit::Emit>(
+                emit: E,
+                words: &impl $crate::emit::Words<E>,
+                sink: &mut impl $crate::emit::Sink<E>,
+            ) {
+                let inputs = $crate::node!(@generic_read $shape, E, emit, words, [$($input : $itype,)*]);
                 sink.mask(0, $guard(emit, &inputs));
             }
         }

@@ -34,8 +34,10 @@ nodes! {
     arithmetic { add }
     /// Blending and converting colours.
     color { mix }
-    /// Rays: directions and requests.
-    rays { trace_reflection, reflection_direction }
-    /// Nodes that evaluate an input under a changed state.
-    scopes { perturb_normal }
+    /// Rays: directions, and requests to the renderer.
+    rays { light_color, reflection_direction, trace_reflection }
+    /// Nodes that evaluate an input under a changed state, or many times.
+    scopes { light_loop, perturb_normal }
+    /// What is known about the point that is shaded.
+    state { light, state }
 }

@@ -221,6 +221,8 @@ pub struct Output {
 pub enum Kind {
     /// A body over its inputs.
     Plain,
+    /// No inputs; output by output, these fields of the state.
+    Fields(Vec<Field>),
     /// A request to the renderer, whose arguments are the inputs and whose answer the outputs.
     Request(Effect),
     /// A body yields new values of these state fields, under which the scoped input is evaluated;

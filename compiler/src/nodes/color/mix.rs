@@ -1,50 +1,43 @@
-use crate::emit::{Color, Emit, Mask, Real};
-use crate::nodes::{BLACK, NOT_NEGATIVE, WHITE};
+use crate::emit::{Components, Emit, Mask, Real};
 
 node! {
-    /// Linear mix `a + (b - a) weight`, per channel with alpha. At weight 0 `b` is not evaluated, at
-    /// weight 1 `a` is not, and the other passes unchanged to the bit.
-    mix in color,
+    /// Linear mix `a (1 - weight) + b weight`, per component and, for colours, alpha. At weight 0 `b`
+    /// is not evaluated, at weight 1 `a` is not, and the other passes unchanged to the bit.
+    mix in color generic,
     source "mental ray base shaders, mib_color_mix",
     inputs {
         /// Share of `b`; outside 0..1 it extrapolates.
         weight: scalar = 0.5, in 0.0..=1.0;
-        /// Colour at weight 0.
-        a: color = BLACK, in NOT_NEGATIVE, when a_shows;
-        /// Colour at weight 1.
-        b: color = WHITE, in NOT_NEGATIVE, when b_shows;
+        /// Value at weight 0.
+        a: generic = 0.0, when a_shows;
+        /// Value at weight 1.
+        b: generic = 1.0, when b_shows;
     }
     outputs {
-        /// The mixed colour.
-        color: color, in NOT_NEGATIVE;
+        /// The mixture.
+        result: generic;
     }
 }
 
 #[inline(always)]
-fn a_shows<E: Emit>(e: E, i: &Inputs<E>) -> E::Mask {
+fn a_shows<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
     i.weight.not_equal(e.real(1.0))
 }
 
 #[inline(always)]
-fn b_shows<E: Emit>(e: E, i: &Inputs<E>) -> E::Mask {
+fn b_shows<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
     i.weight.not_equal(e.real(0.0))
 }
 
 #[inline(always)]
-fn channel<R: Real>(a: R, b: R, weight: R) -> R {
-    // a (1 - w) + b w: exact at both ends, and no overflow of b - a.
-    b.mul_add(weight, a * (weight.same(1.0) - weight))
-}
-
-#[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    let (a, b, w) = (i.a, i.b, i.weight);
-    let mixed = Color {
-        r: channel(a.r, b.r, w),
-        g: channel(a.g, b.g, w),
-        b: channel(a.b, b.b, w),
-        a: channel(a.a, b.a, w),
-    };
-    let without_a = a_shows(e, i).select(mixed, b);
-    Outputs { color: b_shows(e, i).select(without_a, a) }
+fn body<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> Outputs<T> {
+    let (a, b) = (i.a.to_words(), i.b.to_words());
+    let rest = e.real(1.0) - i.weight;
+    let mut mixed = a;
+    for k in 0..4 {
+        // Exact at both ends, and no overflow of b - a.
+        mixed[k] = b[k].mul_add(i.weight, a[k] * rest);
+    }
+    let with_a = a_shows(e, i).select(T::from_words(mixed), i.b);
+    Outputs { result: b_shows(e, i).select(with_a, i.a) }
 }
