@@ -1,5 +1,6 @@
 //! The engines: walk, batch and jit, behind one trait that hand-written shaders share.
 
+pub mod jit;
 pub mod lanes;
 
 use std::collections::BTreeSet;
