@@ -9,4 +9,6 @@ pub mod engine;
 pub mod graph;
 pub mod nodes;
 pub mod ops;
+pub mod schedule;
+pub mod specialise;
 pub mod state;
