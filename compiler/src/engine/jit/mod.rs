@@ -6,7 +6,3 @@ mod lower;
 
 pub use code::JitCode;
 pub use error::JitError;
-
-mod plan;
-
-pub use plan::Plan;
