@@ -1,5 +1,7 @@
 //! The engines: walk, batch and jit, behind one trait that hand-written shaders share.
 
+mod batch;
+pub mod execute;
 pub mod jit;
 pub mod lanes;
 mod memory;
