@@ -3,6 +3,8 @@
 mod code;
 mod error;
 mod lower;
+mod plan;
 
 pub use code::JitCode;
 pub use error::JitError;
+pub use plan::Plan;
