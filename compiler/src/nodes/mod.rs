@@ -6,6 +6,8 @@ mod macros;
 #[cfg(test)]
 #[macro_use]
 mod harness;
+#[cfg(test)]
+mod agreement;
 
 mod code;
 pub mod finite;
