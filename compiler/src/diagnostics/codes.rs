@@ -109,10 +109,10 @@ codes! {
         right r#"{ "phenomenon": "a_b", "roots": { "material": 1 } }"#;
     NUMBER_OUT_OF_RANGE "number-out-of-range" Error "A number past the limits",
         "The number lies outside the values that make sense in this place. Numbers are kept in 32 bits: scalars reach 3.4e38, integers 2147483647.",
-        wrong r#"{ "phenomenon": "a", "roots": { "material": 1e400 } }"#,
-        right r#"{ "phenomenon": "a", "roots": { "material": 1e4 } }"#;
+        wrong r#"{ "phenomenon": "a", "version": -1, "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "version": 1, "roots": { "material": 1 } }"#;
     UNKNOWN_CHOICE "unknown-choice" Error "A word that is none of the choices",
-        "The place takes one of a few words.",
+        "The place takes one of a few words, and this is none of them.",
         wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "colour", "default": 1 } }, "roots": { "material": { "interface": "p" } } }"#,
         right r#"{ "phenomenon": "a", "interface": { "p": { "type": "color", "default": 1 } }, "roots": { "material": { "interface": "p" } } }"#;
     EMPTY_RANGE "empty-range" Error "A range that holds nothing",
