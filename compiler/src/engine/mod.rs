@@ -1,6 +1,15 @@
 //! The engines: walk, batch and jit, behind one trait that hand-written shaders share.
 
+mod batch;
+pub mod execute;
+pub mod jit;
 pub mod lanes;
+mod memory;
+mod shader;
+pub mod walk;
+
+pub use batch::Runner;
+pub use shader::{Shader, ShaderError};
 
 use std::collections::BTreeSet;
 

@@ -1,5 +1,15 @@
-//! The scalar operations of a pure segment: what the JIT fuses.
+//! The scalar operations of a pure segment: what the JIT fuses, and the passes that prepare them.
+//!
+//! Recorded on a [`Tape`], collected in a [`Segment`], then [`fold`], [`dead`] and [`split`].
+//! [`interpret`] says what the operations mean, `Display` prints a segment.
 
+pub mod dead;
+pub mod fold;
+pub mod interpret;
+mod op;
+mod print;
+pub mod split;
 mod tape;
 
-pub use tape::{Op, OpId, Tape, TapeInt, TapeMask, TapeReal};
+pub use op::{Op, OpId, Segment};
+pub use tape::{Tape, TapeInt, TapeMask, TapeReal};

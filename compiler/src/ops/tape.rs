@@ -4,54 +4,8 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
+use super::{Op, OpId};
 use crate::emit::{Emit, Int, Mask, Real, Select, Sink, Words};
-
-/// Position of an operation on its tape; operands come before.
-pub type OpId = u32;
-
-/// One operation on words. Every variant is an operation of [`Emit`]; see `docs/numerics.md`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[expect(missing_docs, reason = "each is the operation of the same name in `emit`")]
-pub enum Op {
-    /// The word of a source, numbered by whoever records.
-    Load(u32),
-    /// These bits in every lane.
-    Constant(u32),
-    Add(OpId, OpId),
-    Sub(OpId, OpId),
-    Mul(OpId, OpId),
-    Div(OpId, OpId),
-    Neg(OpId),
-    MulAdd(OpId, OpId, OpId),
-    Minimum(OpId, OpId),
-    Maximum(OpId, OpId),
-    Absolute(OpId),
-    Sqrt(OpId),
-    Floor(OpId),
-    Ceil(OpId),
-    Truncate(OpId),
-    RoundEven(OpId),
-    Less(OpId, OpId),
-    LessEqual(OpId, OpId),
-    Equal(OpId, OpId),
-    NotEqual(OpId, OpId),
-    ToInt(OpId),
-    IntAdd(OpId, OpId),
-    IntSub(OpId, OpId),
-    IntMul(OpId, OpId),
-    And(OpId, OpId),
-    Or(OpId, OpId),
-    Xor(OpId, OpId),
-    Not(OpId),
-    ShiftLeft(OpId, u32),
-    ShiftRight(OpId, u32),
-    ShiftRightSigned(OpId, u32),
-    IntEqual(OpId, OpId),
-    IntLess(OpId, OpId),
-    ToReal(OpId),
-    /// Mask, value where true, value where false.
-    Select(OpId, OpId, OpId),
-}
 
 /// Operations in order, each recorded once: an operation already on the tape is found again.
 #[derive(Debug, Default)]
@@ -81,6 +35,14 @@ impl Tape {
         inner.ops.push(op);
         inner.known.insert(op, id);
         id
+    }
+
+    /// The operation at `id`.
+    ///
+    /// # Panics
+    /// If nothing was recorded there.
+    pub fn op(&self, id: OpId) -> Op {
+        self.inner.borrow().ops[id as usize]
     }
 
     /// The operations so far.

@@ -1,0 +1,273 @@
+//! Compiled segments: made, owned, run and freed.
+//!
+//! What Cranelift 0.135 asks for:
+//! * optimisation `speed` brings value numbering and loop-invariant motion;
+//! * the verifier runs in debug builds only, NaN payloads are not canonicalised (1.6 to 2.2 times
+//!   the run time, and NaNs compare as a class here);
+//! * register allocation takes most of the compile time and is quadratic on huge functions:
+//!   [`crate::ops::split`] keeps them near 500 operations, and one that is still above
+//!   [`SINGLE_PASS_ABOVE`] is allocated in a single pass;
+//! * a dropped `JITModule` leaks its memory on purpose; [`JitCode`] frees it;
+//! * nothing may unwind through the code, and nothing does: it calls nothing.
+
+use std::sync::{Arc, Mutex};
+
+use cranelift_codegen::Context;
+use cranelift_codegen::control::ControlPlane;
+use cranelift_codegen::ir::UserFuncName;
+use cranelift_codegen::isa::TargetIsa;
+use cranelift_codegen::settings::{self, Configurable};
+use cranelift_frontend::FunctionBuilderContext;
+use cranelift_jit::{JITBuilder, JITModule};
+use cranelift_module::{FuncId, Linkage, Module};
+
+use super::JitError;
+use super::lower::{Frame, lower};
+use crate::engine::lanes::{Lanes, Source};
+use crate::ops::{OpId, Segment};
+
+/// Functions of more operations are register-allocated in a single pass.
+pub const SINGLE_PASS_ABOVE: usize = 2000;
+
+/// Largest number of uniforms or slots: byte offsets stay below 2^31.
+const MOST_WORDS: usize = (i32::MAX as usize) / size_of::<Lanes>() - 1;
+
+/// A compiled segment: the file, and how many blocks to run (at least one).
+type Entry = unsafe extern "C" fn(file: *mut u8, blocks: i64);
+
+/// The machine code of a program's segments.
+pub struct JitCode {
+    /// Emptied by `drop` only; a mutex because the module is not `Sync`.
+    module: Mutex<Option<JITModule>>,
+    entries: Vec<Entry>,
+    frame: Frame,
+    code_bytes: usize,
+}
+
+impl std::fmt::Debug for JitCode {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("JitCode")
+            .field("segments", &self.entries.len())
+            .field("code_bytes", &self.code_bytes)
+            .finish_non_exhaustive()
+    }
+}
+
+impl JitCode {
+    /// Whether code can be generated for, and run on, this machine.
+    ///
+    /// # Errors
+    /// [`JitError::UnsupportedTarget`] and [`JitError::MissingFeature`].
+    pub fn available() -> Result<(), JitError> {
+        #[cfg(target_arch = "x86_64")]
+        {
+            if !std::arch::is_x86_feature_detected!("sse4.1") {
+                return Err(JitError::MissingFeature("SSE4.1"));
+            }
+            // Without it Cranelift calls a library function per lane.
+            if !(std::arch::is_x86_feature_detected!("avx")
+                && std::arch::is_x86_feature_detected!("fma"))
+            {
+                return Err(JitError::MissingFeature("FMA"));
+            }
+            Ok(())
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        {
+            Err(JitError::UnsupportedTarget)
+        }
+    }
+
+    /// Compiles each segment to a function over files of `uniforms` words and `slots` slots a
+    /// block. Segments are compiled as they are: fold and split them before.
+    ///
+    /// # Errors
+    /// See [`JitError`].
+    pub fn compile(segments: &[Segment], uniforms: usize, slots: usize) -> Result<Self, JitError> {
+        Self::available()?;
+        let words = uniforms.max(slots);
+        if words > MOST_WORDS {
+            return Err(JitError::TooLarge { words });
+        }
+        let frame = Frame { uniforms, slots };
+        for (index, segment) in segments.iter().enumerate() {
+            well_formed(segment, frame)
+                .map_err(|what| JitError::Malformed { segment: index, what })?;
+        }
+        let mut compiler = Compiler::new()?;
+        let mut compiled = Ok(());
+        for segment in segments {
+            compiled = compiled.and_then(|()| compiler.add(segment, frame));
+        }
+        // From here the module belongs to a `JitCode`, which frees it whatever happens.
+        let Compiler { mut module, functions, code_bytes, .. } = compiler;
+        let finished = compiled.and_then(|()| module.finalize_definitions().map_err(failed));
+        let mut entries = Vec::new();
+        if finished.is_ok() {
+            entries.extend(functions.iter().map(|&id| {
+                let address = module.get_finalized_function(id);
+                // SAFETY: the function at `address` was compiled with this signature in the
+                // platform's C calling convention, and lives until `drop` frees the module.
+                unsafe { std::mem::transmute::<*const u8, Entry>(address) }
+            }));
+        }
+        let code = Self { module: Mutex::new(Some(module)), entries, frame, code_bytes };
+        finished.map(|()| code)
+    }
+
+    /// Runs segment `index` over the first `blocks` blocks of the file.
+    ///
+    /// # Panics
+    /// If there is no such segment, or the file is smaller than `uniforms + blocks * slots`.
+    pub fn run(&self, index: usize, lanes: &mut [Lanes], blocks: usize) {
+        let entry = self.entries[index];
+        let words = blocks
+            .checked_mul(self.frame.slots)
+            .and_then(|words| words.checked_add(self.frame.uniforms));
+        assert!(
+            words.is_some_and(|words| words <= lanes.len()),
+            "a file of {} words cannot hold {blocks} blocks",
+            lanes.len()
+        );
+        // A segment without slots may pass any number of blocks, and stores nothing.
+        if blocks == 0 || self.frame.slots == 0 {
+            return;
+        }
+        // SAFETY: the code reads uniforms below `uniforms` and accesses slots below `slots` of blocks below
+        // `blocks` (`well_formed`), all within `lanes` by the assertion; `Lanes` is aligned to 32
+        // bytes, all bit patterns are valid, and it calls nothing that could unwind or keep the
+        // pointer.
+        unsafe { entry(lanes.as_mut_ptr().cast(), blocks as i64) };
+    }
+
+    /// Bytes of machine code, constants included.
+    pub fn code_bytes(&self) -> usize {
+        self.code_bytes
+    }
+}
+
+impl Drop for JitCode {
+    fn drop(&mut self) {
+        let module = self.module.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
+        if let Some(module) = module.take() {
+            // SAFETY: entries are called through `&self` only, so none is running, and they are
+            // never handed out.
+            unsafe { module.free_memory() };
+        }
+    }
+}
+
+/// What a function being compiled needs, kept between functions.
+struct Compiler {
+    module: JITModule,
+    single_pass: Arc<dyn TargetIsa>,
+    context: Context,
+    builder: FunctionBuilderContext,
+    functions: Vec<FuncId>,
+    code_bytes: usize,
+}
+
+impl Compiler {
+    fn new() -> Result<Self, JitError> {
+        let isa = target("backtracking")?;
+        let single_pass = target("single_pass")?;
+        let builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
+        let module = JITModule::new(builder);
+        let context = module.make_context();
+        Ok(Self {
+            module,
+            single_pass,
+            context,
+            builder: FunctionBuilderContext::new(),
+            functions: Vec::new(),
+            code_bytes: 0,
+        })
+    }
+
+    fn add(&mut self, segment: &Segment, frame: Frame) -> Result<(), JitError> {
+        let index = self.functions.len() as u32;
+        let config = self.module.target_config();
+        self.context.func.name = UserFuncName::user(0, index);
+        lower(segment, frame, config, &mut self.context.func, &mut self.builder);
+        let id = self
+            .module
+            .declare_function(
+                &format!("segment{index}"),
+                Linkage::Local,
+                &self.context.func.signature,
+            )
+            .map_err(failed)?;
+        let isa = if segment.ops.len() > SINGLE_PASS_ABOVE {
+            &*self.single_pass
+        } else {
+            self.module.isa()
+        };
+        let code = self
+            .context
+            .compile(isa, &mut ControlPlane::default())
+            .map_err(|error| JitError::CodeGeneration(error.inner.to_string()))?;
+        if !code.buffer.relocs().is_empty() {
+            // Only calls relocate: a feature promised by `available` is missing in the target.
+            return Err(JitError::CodeGeneration("an operation became a call".to_owned()));
+        }
+        let alignment = u64::from(code.buffer.alignment).max(isa.symbol_alignment());
+        let bytes = code.code_buffer();
+        self.code_bytes += bytes.len();
+        self.module.define_function_bytes(id, alignment, bytes, &[]).map_err(failed)?;
+        self.module.clear_context(&mut self.context);
+        self.functions.push(id);
+        Ok(())
+    }
+}
+
+fn failed(error: impl std::fmt::Display) -> JitError {
+    JitError::CodeGeneration(error.to_string())
+}
+
+/// The host, with the given register allocator.
+fn target(allocator: &str) -> Result<Arc<dyn TargetIsa>, JitError> {
+    let mut flags = settings::builder();
+    for (name, value) in [
+        ("opt_level", "speed"),
+        ("regalloc_algorithm", allocator),
+        ("enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" }),
+        ("enable_nan_canonicalization", "false"),
+        ("use_colocated_libcalls", "false"),
+        ("is_pic", "false"),
+        ("unwind_info", "false"),
+        ("enable_probestack", "false"),
+    ] {
+        flags.set(name, value).map_err(failed)?;
+    }
+    let host = cranelift_native::builder().map_err(failed)?;
+    host.finish(settings::Flags::new(flags)).map_err(failed)
+}
+
+/// Whether all that the segment names exists; the safety of running it rests on this.
+fn well_formed(segment: &Segment, frame: Frame) -> Result<(), &'static str> {
+    let ops = &segment.ops;
+    for source in &segment.sources {
+        let inside = match *source {
+            Source::Uniform(uniform) => (uniform as usize) < frame.uniforms,
+            Source::Slot(slot) => (slot as usize) < frame.slots,
+        };
+        if !inside {
+            return Err("a source lies outside the file");
+        }
+    }
+    for (id, op) in ops.iter().enumerate() {
+        let mut ordered = true;
+        op.for_each_operand(|operand| ordered &= (operand as usize) < id);
+        if !ordered {
+            return Err("an operand does not come before its user");
+        }
+        if let crate::ops::Op::Load(source) = *op
+            && source as usize >= segment.sources.len()
+        {
+            return Err("a load names no source");
+        }
+    }
+    let stored =
+        |&(slot, id): &(u32, OpId)| (slot as usize) < frame.slots && (id as usize) < ops.len();
+    if segment.stores.iter().all(stored) { Ok(()) } else { Err("a store lies outside the file") }
+}

@@ -1,0 +1,10 @@
+//! Machine code for pure segments, by Cranelift.
+
+mod code;
+mod error;
+mod lower;
+mod plan;
+
+pub use code::JitCode;
+pub use error::JitError;
+pub use plan::Plan;

@@ -1,0 +1,234 @@
+//! How the jit runs each segment: light steps fused into machine code, heavy ones as kernels.
+
+use std::collections::HashMap;
+
+use crate::engine::batch::run_step;
+use crate::engine::execute::Program;
+use crate::engine::lanes::{Lanes, Source};
+use crate::engine::{Simd, jit::JitCode, jit::JitError};
+use crate::ops::{Op, OpId, Segment as OpSegment, Tape, dead, fold, split};
+use crate::schedule::{Item, Schedule, Segment, Step};
+
+/// Bodies of more operations than this run as kernels: eight lanes beat four there, and Cranelift
+/// holds fewer values in registers than the body has.
+const HEAVY_OPS: usize = 96;
+
+/// Operations of one function: register allocation takes more than linear time.
+const FUNCTION_OPS: usize = 500;
+
+/// The jit's plan for a schedule, with its code.
+#[derive(Debug)]
+pub struct Plan {
+    /// Per segment, what to run in order.
+    segments: Vec<Vec<Piece>>,
+    code: JitCode,
+    simd: Simd,
+    slots: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Piece {
+    /// A function of the code.
+    Fused(usize),
+    /// A step of the segment, as a kernel.
+    Kernel(usize),
+}
+
+/// Steps of a segment that run as one, by position.
+#[derive(Clone, Copy)]
+enum Stretch {
+    Light { from: usize, to: usize },
+    Heavy(usize),
+}
+
+impl Plan {
+    /// Plans and compiles `schedule` for a program of that many uniform words.
+    pub fn new(schedule: &Schedule, uniforms: usize, simd: Simd) -> Result<Self, JitError> {
+        let stretches: Vec<Vec<Stretch>> = schedule.segments.iter().map(stretches).collect();
+        let readers = Readers::new(schedule, &stretches);
+        let mut slots = schedule.slots;
+        let mut functions = Vec::new();
+        let mut segments = Vec::new();
+        let mut number = 0;
+        for (segment, stretches) in schedule.segments.iter().zip(&stretches) {
+            let mut pieces = Vec::new();
+            for stretch in stretches {
+                match *stretch {
+                    Stretch::Heavy(step) => pieces.push(Piece::Kernel(step)),
+                    Stretch::Light { from, to } => {
+                        let ops = record(&segment.steps[from..to], number, &readers);
+                        let split = split::split(&dead::remove(&fold::fold(&ops)), FUNCTION_OPS, slots);
+                        slots += split.scratch;
+                        for part in split.parts {
+                            pieces.push(Piece::Fused(functions.len()));
+                            functions.push(part);
+                        }
+                    }
+                }
+                number += 1;
+            }
+            segments.push(pieces);
+        }
+        let code = JitCode::compile(&functions, uniforms, slots as usize)?;
+        Ok(Self { segments, code, simd, slots: slots as usize })
+    }
+
+    /// Slots of a block, scratch included.
+    pub fn slots(&self) -> usize {
+        self.slots
+    }
+
+    /// Bytes of machine code.
+    pub fn code_bytes(&self) -> usize {
+        self.code.code_bytes()
+    }
+
+    /// Runs a segment over the blocks.
+    pub(in crate::engine) fn run(
+        &self,
+        segment: usize,
+        program: &Program<'_>,
+        lanes: &mut [Lanes],
+        blocks: usize,
+    ) {
+        for piece in &self.segments[segment] {
+            match *piece {
+                Piece::Fused(function) => self.code.run(function, lanes, blocks),
+                Piece::Kernel(step) => {
+                    let step = &program.schedule.segments[segment].steps[step];
+                    run_step(step, self.simd, program, lanes, blocks);
+                }
+            }
+        }
+    }
+}
+
+/// Cuts a segment at its heavy steps.
+fn stretches(segment: &Segment) -> Vec<Stretch> {
+    let mut stretches = Vec::new();
+    let mut from = 0;
+    let mut weights = HashMap::new();
+    for (at, step) in segment.steps.iter().enumerate() {
+        let weight = *weights
+            .entry(step.code.record as usize)
+            .or_insert_with(|| record_alone(step));
+        if weight > HEAVY_OPS {
+            if from < at {
+                stretches.push(Stretch::Light { from, to: at });
+            }
+            stretches.push(Stretch::Heavy(at));
+            from = at + 1;
+        }
+    }
+    if from < segment.steps.len() {
+        stretches.push(Stretch::Light { from, to: segment.steps.len() });
+    }
+    stretches
+}
+
+/// Number of operations of a step's body, loads and constants aside.
+fn record_alone(step: &Step) -> usize {
+    let tape = Tape::new();
+    let inputs: Vec<OpId> =
+        (0..step.words.len()).map(|word| tape.push(Op::Load(word as u32))).collect();
+    let mut outputs = vec![0; step.code.outputs];
+    (step.code.record)(&tape, &inputs, &mut outputs);
+    let ops = tape.into_ops();
+    ops.iter().filter(|op| !matches!(op, Op::Load(_) | Op::Constant(_))).count()
+}
+
+/// Records steps as one segment of operations that stores what others read.
+fn record(steps: &[Step], number: usize, readers: &Readers) -> OpSegment {
+    let tape = Tape::new();
+    let mut sources: Vec<Source> = Vec::new();
+    let mut known: HashMap<Source, OpId> = HashMap::new();
+    let mut stores = Vec::new();
+    for step in steps {
+        let inputs: Vec<OpId> = step
+            .words
+            .iter()
+            .map(|source| {
+                *known.entry(*source).or_insert_with(|| {
+                    sources.push(*source);
+                    tape.push(Op::Load(sources.len() as u32 - 1))
+                })
+            })
+            .collect();
+        let mut outputs = vec![0; step.code.outputs];
+        (step.code.record)(&tape, &inputs, &mut outputs);
+        for (slot, id) in (step.output..).zip(outputs) {
+            known.insert(Source::Slot(slot), id);
+            if readers.outside(slot, number) {
+                stores.push((slot, id));
+            }
+        }
+    }
+    OpSegment { ops: tape.into_ops(), sources, stores }
+}
+
+/// Per slot, who reads it.
+struct Readers(Vec<Reader>);
+
+#[derive(Clone, Copy, PartialEq)]
+enum Reader {
+    Nobody,
+    /// One stretch, by its number over all segments.
+    Stretch(usize),
+    Several,
+}
+
+impl Readers {
+    fn new(schedule: &Schedule, stretches: &[Vec<Stretch>]) -> Self {
+        let mut readers = Self(vec![Reader::Nobody; schedule.slots as usize]);
+        let mut number = 0;
+        for (segment, stretches) in schedule.segments.iter().zip(stretches) {
+            for stretch in stretches {
+                let steps = match *stretch {
+                    Stretch::Light { from, to } => from..to,
+                    Stretch::Heavy(step) => step..step + 1,
+                };
+                for step in &segment.steps[steps] {
+                    readers.note(&step.words, Reader::Stretch(number));
+                }
+                number += 1;
+            }
+        }
+        for region in &schedule.regions {
+            for item in &region.items {
+                if let Item::Force { guard: Some(guard), .. } = item {
+                    readers.note(&[*guard], Reader::Several);
+                }
+            }
+        }
+        for request in &schedule.requests {
+            readers.note(&request.words, Reader::Several);
+            request.context.iter().for_each(|(_, words)| readers.note(words, Reader::Several));
+        }
+        for of in &schedule.loops {
+            readers.note(&of.words, Reader::Several);
+            of.context.iter().for_each(|(_, words)| readers.note(words, Reader::Several));
+        }
+        let root: Vec<Source> = (schedule.root..schedule.root + 5).map(Source::Slot).collect();
+        readers.note(&root, Reader::Several);
+        readers
+    }
+
+    fn note(&mut self, words: &[Source], reader: Reader) {
+        for word in words {
+            if let Source::Slot(slot) = word {
+                let known = &mut self.0[*slot as usize];
+                *known = match *known {
+                    Reader::Nobody => reader,
+                    same if same == reader => reader,
+                    _ => Reader::Several,
+                };
+            }
+        }
+    }
+
+    /// Whether anyone but the stretch of this number reads the slot.
+    fn outside(&self, slot: u32, number: usize) -> bool {
+        !matches!(self.0[slot as usize], Reader::Nobody)
+            && self.0[slot as usize] != Reader::Stretch(number)
+    }
+}

@@ -1,0 +1,282 @@
+//! A graph compiled for an engine.
+
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
+use std::time::Instant;
+
+use crate::effects::{Effect, Renderer};
+use crate::graph::{Graph, Root, RootKind};
+use crate::nodes::{Literal, NodeLibrary};
+use crate::schedule::{Schedule, schedule};
+use crate::specialise::{InstanceKind, SpecialiseError, Specialised, Uniforms, expand};
+use crate::state::{RayType, State};
+
+use super::execute::Program;
+use super::jit::{JitCode, JitError, Plan};
+use super::memory::with_memory;
+use super::{Engine, Options, Runner, Shade, Shaded, Simd, walk};
+
+/// Why a graph could not be compiled, or a parameter not be set.
+#[derive(Debug, thiserror::Error)]
+pub enum ShaderError {
+    /// See [`SpecialiseError`].
+    #[error(transparent)]
+    Specialise(#[from] SpecialiseError),
+    /// The jit was asked for and cannot run here, or failed.
+    #[error("the jit cannot run this graph: {0}; use `--engine batch`")]
+    Jit(#[from] JitError),
+    /// No such parameter.
+    #[error("`{graph}` has no parameter `{name}`")]
+    UnknownParameter {
+        /// The phenomenon.
+        graph: String,
+        /// What was given.
+        name: String,
+    },
+    /// The value does not suit the parameter.
+    #[error("parameter `{name}` is a {expected}, not a {given}")]
+    WrongType {
+        /// The parameter.
+        name: String,
+        /// Its type.
+        expected: &'static str,
+        /// The type of the value given.
+        given: &'static str,
+    },
+}
+
+/// A graph compiled for an engine, with values for its parameters.
+#[derive(Debug)]
+pub struct Shader {
+    graph: Arc<Graph>,
+    library: Arc<NodeLibrary>,
+    values: Vec<Literal>,
+    options: Options,
+    programs: Vec<Compiled>,
+    /// Nanoseconds it took to compile, the jit of `auto` aside.
+    compile_nanoseconds: u64,
+    counts: Counts,
+}
+
+/// Points shaded, by engine.
+#[derive(Debug, Default)]
+struct Counts {
+    walk: AtomicU64,
+    batch: AtomicU64,
+    jit: AtomicU64,
+}
+
+/// One root for one ray type, or for all if it does not look at the ray type.
+#[derive(Debug)]
+struct Compiled {
+    root: RootKind,
+    ray_type: Option<RayType>,
+    uniforms: Uniforms,
+    code: Arc<Code>,
+}
+
+#[derive(Debug)]
+struct Code {
+    specialised: Specialised,
+    schedule: Option<Schedule>,
+    plan: OnceLock<Option<Plan>>,
+}
+
+/// Ray types a root may be called for.
+const RAY_TYPES: [RayType; 7] = [
+    RayType::Eye,
+    RayType::Reflection,
+    RayType::Refraction,
+    RayType::Transparent,
+    RayType::Shadow,
+    RayType::Environment,
+    RayType::Displace,
+];
+
+impl Shader {
+    /// Compiles `graph`, checked with `library`, with `values` for some of its parameters.
+    pub fn new(
+        graph: Arc<Graph>,
+        library: Arc<NodeLibrary>,
+        values: &[(String, Literal)],
+        options: Options,
+    ) -> Result<Self, ShaderError> {
+        let defaults = graph.parameters.iter().map(|parameter| parameter.default.clone());
+        let mut shader = Self {
+            values: defaults.collect(),
+            graph,
+            library,
+            options,
+            programs: Vec::new(),
+            compile_nanoseconds: 0,
+            counts: Counts::default(),
+        };
+        for (name, value) in values {
+            shader.take(name, value)?;
+        }
+        shader.compile()?;
+        Ok(shader)
+    }
+
+    /// Sets a parameter. Compiles again only if a condition that shaped the code now falls
+    /// otherwise (a weight becomes 0, a switch turns).
+    pub fn set(&mut self, name: &str, value: &Literal) -> Result<(), ShaderError> {
+        self.take(name, value)?;
+        let values = &self.values;
+        // Light lists are part of the code.
+        let in_code = matches!(value, Literal::Lights(_));
+        if !in_code && self.programs.iter_mut().all(|program| program.uniforms.rebind(values)) {
+            return Ok(());
+        }
+        self.compile()
+    }
+
+    /// The graph.
+    pub fn graph(&self) -> &Graph {
+        &self.graph
+    }
+
+    /// Time spent compiling, in milliseconds; what `auto` compiles in the background aside.
+    pub fn compile_milliseconds(&self) -> f64 {
+        self.compile_nanoseconds as f64 * 1e-6
+    }
+
+    /// Points shaded so far, by the engine that shaded them.
+    pub fn points(&self) -> [(&'static str, u64); 3] {
+        let count = |of: &AtomicU64| of.load(Ordering::Relaxed);
+        let Counts { walk, batch, jit } = &self.counts;
+        [("walk", count(walk)), ("batch", count(batch)), ("jit", count(jit))]
+    }
+
+    /// The schedules of all roots, as text.
+    pub fn print(&self) -> String {
+        let print = |program: &Compiled| {
+            let schedule = program.code.schedule.as_ref().map(Schedule::to_string);
+            let ray_type = program.ray_type.map_or(String::new(), |of| format!(" for {of:?} rays"));
+            format!("{}{ray_type}\n{}", program.root.name(), schedule.unwrap_or_default())
+        };
+        self.programs.iter().map(print).collect::<Vec<_>>().join("\n")
+    }
+
+    fn take(&mut self, name: &str, value: &Literal) -> Result<(), ShaderError> {
+        let Some(at) = self.graph.parameter(name) else {
+            let graph = self.graph.name.clone();
+            return Err(ShaderError::UnknownParameter { graph, name: name.to_owned() });
+        };
+        let expected = self.graph.parameters[at].value_type;
+        let Some(converted) = value.converted_to(expected) else {
+            return Err(ShaderError::WrongType {
+                name: name.to_owned(),
+                expected: expected.name(),
+                given: value.value_type().name(),
+            });
+        };
+        self.values[at] = converted;
+        Ok(())
+    }
+
+    fn compile(&mut self) -> Result<(), ShaderError> {
+        let start = Instant::now();
+        let mut programs = Vec::new();
+        for root in &self.graph.roots {
+            let first = self.compile_root(root, RAY_TYPES[0])?;
+            if first.code.specialised.reads_ray_type {
+                programs.push(Compiled { ray_type: Some(RAY_TYPES[0]), ..first });
+                for &ray_type in &RAY_TYPES[1..] {
+                    let program = self.compile_root(root, ray_type)?;
+                    programs.push(Compiled { ray_type: Some(ray_type), ..program });
+                }
+            } else {
+                programs.push(first);
+            }
+        }
+        self.programs = programs;
+        self.compile_nanoseconds += start.elapsed().as_nanos() as u64;
+        Ok(())
+    }
+
+    fn compile_root(&self, root: &Root, ray_type: RayType) -> Result<Compiled, ShaderError> {
+        let specialised = expand(&self.graph, &self.library, root, ray_type, &self.values)?;
+        let uniforms = specialised.uniforms.clone();
+        let engine = self.options.engine;
+        let schedule = (engine != Engine::Walk).then(|| schedule(&specialised));
+        let code = Arc::new(Code { specialised, schedule, plan: OnceLock::new() });
+        match engine {
+            Engine::Jit => {
+                if let Some(plan) = code.plan(self.options.simd)? {
+                    // Nobody else holds this code yet, so the lock is empty.
+                    let _ = code.plan.set(Some(plan));
+                }
+            }
+            Engine::Auto if JitCode::available().is_ok() => {
+                let (code, simd) = (Arc::clone(&code), self.options.simd);
+                // A plan that fails leaves the kernels running: same bits.
+                std::thread::spawn(move || code.plan.set(code.plan(simd).ok().flatten()));
+            }
+            Engine::Auto | Engine::Walk | Engine::Batch => {}
+        }
+        Ok(Compiled { root: root.kind, ray_type: None, uniforms, code })
+    }
+
+    fn program(&self, root: RootKind, ray_type: RayType) -> Option<&Compiled> {
+        self.programs.iter().find(|program| {
+            program.root == root && program.ray_type.is_none_or(|of| of == ray_type)
+        })
+    }
+}
+
+impl Code {
+    fn plan(&self, simd: Simd) -> Result<Option<Plan>, JitError> {
+        let uniforms = self.specialised.uniforms.values().len();
+        self.schedule.as_ref().map(|schedule| Plan::new(schedule, uniforms, simd)).transpose()
+    }
+}
+
+impl Shade for Shader {
+    fn has_root(&self, root: RootKind) -> bool {
+        self.graph.root(root).is_some()
+    }
+
+    fn effects(&self, root: RootKind) -> BTreeSet<Effect> {
+        let programs = self.programs.iter().filter(|program| program.root == root);
+        let instances = programs.flat_map(|program| &program.code.specialised.instances);
+        instances
+            .filter_map(|instance| match instance.kind {
+                InstanceKind::Request { effect, .. } => Some(effect),
+                InstanceKind::Plain(_) | InstanceKind::Loop { .. } => None,
+            })
+            .collect()
+    }
+
+    fn shade(
+        &self,
+        root: RootKind,
+        points: &[State],
+        renderer: &mut dyn Renderer,
+        results: &mut [Shaded],
+    ) {
+        let Some(first) = points.first() else { return };
+        let Some(program) = self.program(root, first.ray_type) else {
+            results.fill(Shaded::default());
+            return;
+        };
+        let Code { specialised, schedule, plan } = &*program.code;
+        let simd = self.options.simd;
+        let Some(schedule) = schedule else {
+            self.counts.walk.fetch_add(points.len() as u64, Ordering::Relaxed);
+            return with_memory(|memory| {
+                let values = program.uniforms.values();
+                walk::walk(specialised, values, simd, points, renderer, results, &mut memory.walk);
+            });
+        };
+        let (runner, slots, count) = match plan.get() {
+            Some(Some(plan)) => (Runner::Jit(plan), plan.slots(), &self.counts.jit),
+            _ => (Runner::Kernels(simd), schedule.slots as usize, &self.counts.batch),
+        };
+        count.fetch_add(points.len() as u64, Ordering::Relaxed);
+        let uniforms = program.uniforms.values();
+        let program = Program { schedule, uniforms, runner, slots, batch: self.options.batch };
+        with_memory(|memory| program.run(points, renderer, results, &mut memory.batch));
+    }
+}

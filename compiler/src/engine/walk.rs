@@ -1,0 +1,365 @@
+//! The tree walk: one point at a time, inputs evaluated when a body demands them, each result kept
+//! until its epoch is passed anew. What mi_eval and its cache do, and the oracle of the other
+//! engines.
+//!
+//! Instances stand on an explicit stack, so that no chain is too deep. The cache is indexed, and
+//! stamped rather than emptied: nothing is hashed or allocated for a point.
+
+use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use crate::nodes::Code;
+use crate::specialise::{
+    Context, EpochId, Instance, InstanceId, InstanceKind, Specialised, mix_key,
+};
+use crate::state::State;
+
+use super::lanes::Source;
+use super::{Shaded, Simd};
+
+/// Walks `graph` for each point, with the words its parameters are bound to.
+pub fn walk(
+    graph: &Specialised,
+    uniforms: &[u32],
+    simd: Simd,
+    points: &[State],
+    renderer: &mut dyn Renderer,
+    results: &mut [Shaded],
+    memory: &mut Memory,
+) {
+    let lists: Vec<LightList> =
+        graph.light_lists.iter().map(|names| renderer.light_list(names)).collect();
+    memory.fit(graph);
+    memory.words[..uniforms.len()].copy_from_slice(uniforms);
+    let uniforms = uniforms.len();
+    let mut walk = Walk { graph, simd, lists: &lists, uniforms, renderer, memory };
+    for (point, result) in points.iter().zip(results) {
+        *result = walk.point(point);
+    }
+}
+
+/// What a walk works in; kept between walks so that nothing is allocated per point.
+#[derive(Debug, Default)]
+pub struct Memory {
+    /// Uniform words, then slots.
+    words: Vec<u32>,
+    /// Per instance, the pass through its epoch in which it was evaluated.
+    done: Vec<u64>,
+    /// Per epoch, the current pass.
+    pass: Vec<u64>,
+    passes: u64,
+    /// Per epoch that is a loop: where it stands.
+    loops: Vec<LoopPosition>,
+    tables: Vec<Vec<Kept>>,
+    stack: Vec<Frame>,
+    inputs: Vec<u32>,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct LoopPosition {
+    next: usize,
+    count: usize,
+    running: bool,
+    sum: [f32; 3],
+}
+
+/// A light colour, and the pass in which it was asked for.
+#[derive(Clone, Copy, Debug, Default)]
+struct Kept {
+    pass: u64,
+    color: [f32; 3],
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Frame {
+    instance: InstanceId,
+    /// The next of its demands.
+    next: usize,
+}
+
+impl Memory {
+    fn fit(&mut self, graph: &Specialised) {
+        let words = graph.uniforms.values().len() + graph.slots as usize;
+        self.words.resize(words.max(self.words.len()), 0);
+        // Stamps another graph left behind do not count: every pass number is used once.
+        self.done.resize(graph.instances.len().max(self.done.len()), 0);
+        self.pass.resize(graph.epochs.0.len().max(self.pass.len()), 0);
+        self.loops.resize(graph.epochs.0.len().max(self.loops.len()), LoopPosition::default());
+        self.tables.resize_with(graph.tables.len().max(self.tables.len()), Vec::new);
+    }
+}
+
+struct Walk<'a> {
+    graph: &'a Specialised,
+    simd: Simd,
+    lists: &'a [LightList],
+    uniforms: usize,
+    renderer: &'a mut dyn Renderer,
+    memory: &'a mut Memory,
+}
+
+impl Walk<'_> {
+    fn point(&mut self, state: &State) -> Shaded {
+        let graph = self.graph;
+        self.memory.passes += 1;
+        self.memory.pass.fill(self.memory.passes);
+        for &(field, first) in &graph.fields {
+            let words = field.read(state);
+            let at = self.uniforms + first as usize;
+            let width = field.value_type().width();
+            self.memory.words[at..at + width].copy_from_slice(&words[..width]);
+        }
+        let root = graph.root();
+        self.memory.stack.push(Frame { instance: root, next: 0 });
+        while let Some(frame) = self.memory.stack.pop() {
+            self.step(frame, state);
+        }
+        let output = self.uniforms + graph.instances[root].output as usize;
+        let word = |at: usize| f32::from_bits(self.memory.words[output + at]);
+        Shaded {
+            color: [word(0), word(1), word(2), word(3)],
+            ok: self.memory.words[output + 4] != 0,
+        }
+    }
+
+    fn is_done(&self, instance: InstanceId) -> bool {
+        let epoch = self.graph.instances[instance].epoch;
+        self.memory.done[instance] == self.memory.pass[epoch]
+    }
+
+    fn mark_done(&mut self, instance: InstanceId) {
+        let epoch = self.graph.instances[instance].epoch;
+        self.memory.done[instance] = self.memory.pass[epoch];
+    }
+
+    /// Goes on with an instance until something it demands must be evaluated first, or it is done.
+    fn step(&mut self, mut frame: Frame, state: &State) {
+        let graph = self.graph;
+        let instance = &graph.instances[frame.instance];
+        while let Some(demand) = instance.demands.get(frame.next) {
+            frame.next += 1;
+            if self.is_done(demand.source) {
+                continue;
+            }
+            let holds = match &demand.guard {
+                Some(guard) => {
+                    let mut outcome = [0];
+                    self.run(&guard.code, &guard.words, &mut outcome);
+                    outcome[0] != 0
+                }
+                None => true,
+            };
+            if holds {
+                self.memory.stack.push(frame);
+                self.memory.stack.push(Frame { instance: demand.source, next: 0 });
+                return;
+            }
+        }
+        match &instance.kind {
+            InstanceKind::Plain(code) => self.plain(instance, code),
+            InstanceKind::Request { effect: Effect::LightColor, context, loops, table, .. } => {
+                self.light_color(instance, *table, loops, context, state);
+            }
+            InstanceKind::Request { effect, context, site, loops, .. } => {
+                self.trace(instance, *effect, self.key(*site, loops), context, state);
+            }
+            InstanceKind::Loop { epoch, .. } => {
+                let epoch = *epoch;
+                if self.iterate(instance, epoch, frame, state) {
+                    return;
+                }
+            }
+        }
+        self.mark_done(frame.instance);
+    }
+
+    fn run(&mut self, code: &Code, sources: &[Source], outputs: &mut [u32]) {
+        let mut inputs = std::mem::take(&mut self.memory.inputs);
+        inputs.clear();
+        inputs.extend(sources.iter().map(|source| self.word(*source)));
+        match self.simd {
+            Simd::Native => (code.scalar)(&inputs, outputs),
+            Simd::Portable => (code.scalar_portable)(&inputs, outputs),
+        }
+        self.memory.inputs = inputs;
+    }
+
+    #[inline]
+    fn word(&self, source: Source) -> u32 {
+        match source {
+            Source::Uniform(at) => self.memory.words[at as usize],
+            Source::Slot(slot) => self.memory.words[self.uniforms + slot as usize],
+        }
+    }
+
+    fn set(&mut self, slot: u32, word: u32) {
+        self.memory.words[self.uniforms + slot as usize] = word;
+    }
+
+    fn plain(&mut self, instance: &Instance, code: &Code) {
+        let mut outputs = [0; MAX_OUTPUTS];
+        let outputs = &mut outputs[..instance.outputs as usize];
+        self.run(code, &instance.words, outputs);
+        let at = self.uniforms + instance.output as usize;
+        self.memory.words[at..at + outputs.len()].copy_from_slice(outputs);
+    }
+
+    /// The state with the fields that scopes changed.
+    fn scoped(&self, state: &State, context: &Context) -> State {
+        let mut scoped = *state;
+        for (field, sources) in context {
+            let mut words = [0; 4];
+            for (word, source) in words.iter_mut().zip(sources) {
+                *word = self.word(*source);
+            }
+            field.write(&mut scoped, words);
+        }
+        scoped
+    }
+
+    /// A request's key: its site, and the iterations of the loops round it.
+    fn key(&self, site: u64, loops: &[EpochId]) -> u64 {
+        loops.iter().fold(site, |key, &epoch| {
+            iteration_key(key, self.memory.loops[epoch].next.wrapping_sub(1))
+        })
+    }
+
+    fn trace(
+        &mut self,
+        instance: &Instance,
+        effect: Effect,
+        site: u64,
+        context: &Context,
+        state: &State,
+    ) {
+        let state = self.scoped(state, context);
+        let mut words = [0; 6];
+        for (word, source) in words.iter_mut().zip(&instance.words) {
+            *word = self.word(*source);
+        }
+        let ray = ray(effect, state, words, site);
+        let mut answer = [Answer::default()];
+        self.renderer.trace(effect, &[ray], &mut answer);
+        for (at, word) in answer_words(&answer[0]).into_iter().enumerate() {
+            self.set(instance.output + at as u32, word);
+        }
+    }
+
+    /// Starts the next iteration of a loop whose sample can reach the point. False when the loop is
+    /// over and its sum stored.
+    fn iterate(
+        &mut self,
+        instance: &Instance,
+        epoch: EpochId,
+        frame: Frame,
+        state: &State,
+    ) -> bool {
+        let InstanceKind::Loop { list, fields, body, words, context, .. } = &instance.kind else {
+            return false;
+        };
+        let list = self.lists[*list];
+        let mut position = self.memory.loops[epoch];
+        if position.running {
+            for (sum, word) in position.sum.iter_mut().zip(words) {
+                *sum += f32::from_bits(self.word(*word));
+            }
+        } else {
+            let count = self.renderer.light_count(list);
+            position = LoopPosition { next: 0, count, running: true, sum: [0.0; 3] };
+        }
+        let state = self.scoped(state, context);
+        while position.next < position.count {
+            let iteration = position.next;
+            position.next += 1;
+            let mut sample = [LightSample::default()];
+            self.renderer.light_samples(list, iteration, &[state], &mut sample);
+            let [sample] = sample;
+            if !sample.reachable {
+                continue;
+            }
+            self.memory.loops[epoch] = position;
+            self.pass_anew(epoch);
+            for (slot, x) in (*fields..).zip(sample.direction) {
+                self.set(slot, x.to_bits());
+            }
+            self.set(*fields + 3, sample.distance.to_bits());
+            self.memory.stack.push(frame);
+            if let Some(body) = body {
+                self.memory.stack.push(Frame { instance: *body, next: 0 });
+            }
+            return true;
+        }
+        let [r, g, b] = position.sum;
+        for (slot, x) in (instance.output..).zip([r, g, b, 1.0]) {
+            self.set(slot, x.to_bits());
+        }
+        self.memory.loops[epoch] = LoopPosition::default();
+        false
+    }
+
+    /// Everything in the epoch, and in those inside it, is to be evaluated anew.
+    fn pass_anew(&mut self, epoch: EpochId) {
+        self.memory.passes += 1;
+        for inner in epoch..self.graph.epochs.0.len() {
+            if self.graph.epochs.within(inner, epoch) {
+                self.memory.pass[inner] = self.memory.passes;
+            }
+        }
+    }
+
+    fn light_color(
+        &mut self,
+        instance: &Instance,
+        table: Option<usize>,
+        loops: &[EpochId],
+        context: &Context,
+        state: &State,
+    ) {
+        let mut color = [0.0; 3];
+        if let (Some(table), Some(&epoch)) = (table, loops.last()) {
+            let iteration = self.memory.loops[epoch].next - 1;
+            let owner = self.graph.tables[table];
+            let pass = self.memory.pass[owner.epoch];
+            let kept = &mut self.memory.tables[table];
+            if kept.len() <= iteration {
+                kept.resize(iteration + 1, Kept::default());
+            }
+            if kept[iteration].pass != pass {
+                let state = self.scoped(state, context);
+                let list = self.lists[owner.list];
+                let mut colors = [[0.0; 3]];
+                self.renderer.light_colors(list, iteration, &[state], &mut colors);
+                self.memory.tables[table][iteration] = Kept { pass, color: colors[0] };
+            }
+            color = self.memory.tables[table][iteration].color;
+        }
+        let [r, g, b] = color;
+        for (slot, x) in (instance.output..).zip([r, g, b, 1.0]) {
+            self.set(slot, x.to_bits());
+        }
+    }
+}
+
+/// Most output words of a body.
+pub const MAX_OUTPUTS: usize = 64;
+
+/// The key of a request with one more loop round it.
+pub(super) fn iteration_key(key: u64, iteration: usize) -> u64 {
+    mix_key(key ^ mix_key(iteration as u64 + 1))
+}
+
+/// The ray of a request from its argument words: direction, then origin, as far as it has them.
+pub(super) fn ray(effect: Effect, state: State, words: [u32; 6], site: u64) -> Ray {
+    let [dx, dy, dz, ox, oy, oz] = words.map(f32::from_bits);
+    let (origin, direction) = match effect {
+        Effect::TraceProbe => ([ox, oy, oz], [dx, dy, dz]),
+        Effect::TraceTransparent => (state.point, state.direction),
+        _ => (state.point, [dx, dy, dz]),
+    };
+    Ray { state, origin, direction, site }
+}
+
+/// The output words of a trace request.
+pub(super) fn answer_words(answer: &Answer) -> [u32; 7] {
+    let truth = |value: bool| if value { u32::MAX } else { 0 };
+    let [r, g, b, a] = answer.color.map(f32::to_bits);
+    [r, g, b, a, truth(answer.ok), truth(answer.hit), answer.distance.to_bits()]
+}

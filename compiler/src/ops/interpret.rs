@@ -1,0 +1,108 @@
+//! What the operations mean, one word at a time: the oracle the JIT is tested against.
+//!
+//! It shares nothing with [`crate::emit::scalar`], so that a slip in one shows against the other.
+
+use super::{Op, OpId, Segment};
+use crate::engine::lanes::{LANES, Lanes, Source};
+
+/// The word `op` yields. `load` gives the words of sources, `value` those of operands.
+pub fn evaluate(op: Op, load: impl Fn(u32) -> u32, value: impl Fn(OpId) -> u32) -> u32 {
+    let real = |id| f32::from_bits(value(id));
+    let int = |id| value(id) as i32;
+    let mask = |truth: bool| if truth { u32::MAX } else { 0 };
+    match op {
+        Op::Load(source) => load(source),
+        Op::Constant(bits) => bits,
+        Op::Add(a, b) => (real(a) + real(b)).to_bits(),
+        Op::Sub(a, b) => (real(a) - real(b)).to_bits(),
+        Op::Mul(a, b) => (real(a) * real(b)).to_bits(),
+        Op::Div(a, b) => (real(a) / real(b)).to_bits(),
+        Op::Neg(a) => value(a) ^ 0x8000_0000,
+        Op::MulAdd(a, b, c) => fused(real(a), real(b), real(c)).to_bits(),
+        Op::Minimum(a, b) => value(if real(a) < real(b) { a } else { b }),
+        Op::Maximum(a, b) => value(if real(b) < real(a) { a } else { b }),
+        Op::Absolute(a) => value(a) & 0x7fff_ffff,
+        Op::Sqrt(a) => real(a).sqrt().to_bits(),
+        Op::Floor(a) => real(a).floor().to_bits(),
+        Op::Ceil(a) => real(a).ceil().to_bits(),
+        Op::Truncate(a) => real(a).trunc().to_bits(),
+        Op::RoundEven(a) => real(a).round_ties_even().to_bits(),
+        Op::Less(a, b) => mask(real(a) < real(b)),
+        Op::LessEqual(a, b) => mask(real(a) <= real(b)),
+        Op::Equal(a, b) => mask(real(a) == real(b)),
+        Op::NotEqual(a, b) => mask(real(a) != real(b)),
+        Op::ToInt(a) => to_int(real(a)) as u32,
+        Op::IntAdd(a, b) => value(a).wrapping_add(value(b)),
+        Op::IntSub(a, b) => value(a).wrapping_sub(value(b)),
+        Op::IntMul(a, b) => value(a).wrapping_mul(value(b)),
+        Op::And(a, b) => value(a) & value(b),
+        Op::Or(a, b) => value(a) | value(b),
+        Op::Xor(a, b) => value(a) ^ value(b),
+        Op::Not(a) => !value(a),
+        Op::ShiftLeft(a, bits) => value(a) << (bits & 31),
+        Op::ShiftRight(a, bits) => value(a) >> (bits & 31),
+        Op::ShiftRightSigned(a, bits) => (int(a) >> (bits & 31)) as u32,
+        Op::IntEqual(a, b) => mask(value(a) == value(b)),
+        Op::IntLess(a, b) => mask(int(a) < int(b)),
+        Op::ToReal(a) => (int(a) as f32).to_bits(),
+        Op::Select(mask, a, b) => value(if value(mask) != 0 { a } else { b }),
+    }
+}
+
+/// Runs a segment over `blocks` blocks of a file.
+///
+/// # Panics
+/// If the file is smaller than `uniforms + blocks * slots`, or the segment reaches outside.
+pub fn run(segment: &Segment, uniforms: usize, slots: usize, lanes: &mut [Lanes], blocks: usize) {
+    let mut values = vec![0; segment.ops.len()];
+    for block in 0..blocks {
+        let first = uniforms + block * slots;
+        for lane in 0..LANES {
+            for (id, &op) in segment.ops.iter().enumerate() {
+                let load = |n: u32| match segment.sources[n as usize] {
+                    Source::Uniform(uniform) => lanes[uniform as usize].0[lane],
+                    Source::Slot(slot) => lanes[first + slot as usize].0[lane],
+                };
+                values[id] = evaluate(op, load, |id| values[id as usize]);
+            }
+            for &(slot, id) in &segment.stores {
+                lanes[first + slot as usize].0[lane] = values[id as usize];
+            }
+        }
+    }
+}
+
+/// Rust's `as i32`, spelled out.
+fn to_int(value: f32) -> i32 {
+    if value.is_nan() {
+        0
+    } else if value >= 2_147_483_648.0 {
+        i32::MAX
+    } else if value < -2_147_483_648.0 {
+        i32::MIN
+    } else {
+        // In range, hence exact: the conversion of an integer that fits.
+        f64::from(value).trunc() as i32
+    }
+}
+
+/// `a * b + c` rounded once, without a fused instruction: the product is exact in `f64`, the sum is
+/// rounded to odd there (Boldo and Melquiond, "Emulation of FMA and correctly rounded sums: proved
+/// algorithms using rounding to odd", 2008), which makes the second rounding harmless.
+fn fused(a: f32, b: f32, c: f32) -> f32 {
+    let product = f64::from(a) * f64::from(b);
+    let c = f64::from(c);
+    let sum = product + c;
+    if !sum.is_finite() || sum == 0.0 {
+        return sum as f32;
+    }
+    // Knuth's two-sum: the exact error of `product + c`.
+    let c_part = sum - product;
+    let error = (product - (sum - c_part)) + (c - c_part);
+    let bits = sum.to_bits();
+    if error == 0.0 || bits & 1 == 1 {
+        return sum as f32;
+    }
+    let away_from_zero = (error > 0.0) == (sum > 0.0);
+    f64::from_bits(if away_from_zero { bits + 1 } else { bits - 1 }) as f32
+}

@@ -1,0 +1,115 @@
+//! Segments as text, one operation a line; the format is kept stable for snapshots.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::{Op, Segment};
+use crate::engine::lanes::Source;
+
+impl Display for Segment {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for (id, &op) in self.ops.iter().enumerate() {
+            write!(f, "%{id} = ")?;
+            match op {
+                Op::Load(n) => match self.sources.get(n as usize) {
+                    Some(Source::Uniform(uniform)) => writeln!(f, "load uniform {uniform}")?,
+                    Some(Source::Slot(slot)) => writeln!(f, "load slot {slot}")?,
+                    None => writeln!(f, "load missing source {n}")?,
+                },
+                op => writeln!(f, "{op}")?,
+            }
+        }
+        for (slot, id) in &self.stores {
+            writeln!(f, "store slot {slot}, %{id}")?;
+        }
+        Ok(())
+    }
+}
+
+impl Display for Op {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", name(*self))?;
+        match *self {
+            Op::Load(n) => return write!(f, " {n}"),
+            Op::Constant(bits) => return constant(f, bits),
+            _ => {}
+        }
+        let mut separator = " ";
+        let mut result = Ok(());
+        self.for_each_operand(|id| {
+            result = result.and_then(|()| write!(f, "{separator}%{id}"));
+            separator = ", ";
+        });
+        result?;
+        match *self {
+            Op::ShiftLeft(_, bits) | Op::ShiftRight(_, bits) | Op::ShiftRightSigned(_, bits) => {
+                write!(f, ", {bits}")
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Truth values by name; small integers, which would be subnormal numbers, as integers; all else as
+/// a number, in hexadecimal (exact) and decimal.
+fn constant(f: &mut Formatter<'_>, bits: u32) -> fmt::Result {
+    let value = f32::from_bits(bits);
+    match bits {
+        u32::MAX => write!(f, " all"),
+        0 => write!(f, " 0"),
+        _ if value.is_nan() || value.is_subnormal() => {
+            write!(f, " {bits:#010x} (integer {})", bits as i32)
+        }
+        _ if value.is_infinite() => write!(f, " {value}"),
+        0x8000_0000 => write!(f, " -0x0.0p0 (-0)"),
+        _ => {
+            let sign = if value.is_sign_negative() { "-" } else { "" };
+            let exponent = (bits >> 23 & 0xff) as i32 - 127;
+            let fraction = format!("{:06x}", (bits & 0x7f_ffff) << 1);
+            let fraction = match fraction.trim_end_matches('0') {
+                "" => "0",
+                digits => digits,
+            };
+            write!(f, " {sign}0x1.{fraction}p{exponent} ({value:?})")
+        }
+    }
+}
+
+fn name(op: Op) -> &'static str {
+    match op {
+        Op::Load(..) => "load",
+        Op::Constant(..) => "constant",
+        Op::Add(..) => "add",
+        Op::Sub(..) => "sub",
+        Op::Mul(..) => "mul",
+        Op::Div(..) => "div",
+        Op::Neg(..) => "neg",
+        Op::MulAdd(..) => "mul_add",
+        Op::Minimum(..) => "minimum",
+        Op::Maximum(..) => "maximum",
+        Op::Absolute(..) => "absolute",
+        Op::Sqrt(..) => "sqrt",
+        Op::Floor(..) => "floor",
+        Op::Ceil(..) => "ceil",
+        Op::Truncate(..) => "truncate",
+        Op::RoundEven(..) => "round_even",
+        Op::Less(..) => "less",
+        Op::LessEqual(..) => "less_equal",
+        Op::Equal(..) => "equal",
+        Op::NotEqual(..) => "not_equal",
+        Op::ToInt(..) => "to_int",
+        Op::IntAdd(..) => "int_add",
+        Op::IntSub(..) => "int_sub",
+        Op::IntMul(..) => "int_mul",
+        Op::And(..) => "and",
+        Op::Or(..) => "or",
+        Op::Xor(..) => "xor",
+        Op::Not(..) => "not",
+        Op::ShiftLeft(..) => "shift_left",
+        Op::ShiftRight(..) => "shift_right",
+        Op::ShiftRightSigned(..) => "shift_right_signed",
+        Op::IntEqual(..) => "int_equal",
+        Op::IntLess(..) => "int_less",
+        Op::ToReal(..) => "to_real",
+        Op::Select(..) => "select",
+    }
+}

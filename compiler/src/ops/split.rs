@@ -1,0 +1,230 @@
+//! Cutting of a long segment into parts that are compiled as functions of their own and run one
+//! after another: register allocation is quadratic on huge functions.
+//!
+//! A value needed past a cut is stored to a scratch slot at the end of its part and loaded where
+//! it is needed; constants and loads are repeated instead.
+
+use std::collections::HashMap;
+
+use super::{Op, OpId, Segment};
+use crate::engine::lanes::Source;
+
+/// Operations of a part that compile well.
+pub const COMFORTABLE: usize = 500;
+
+/// A segment in parts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Split {
+    /// To be run in order, for all blocks each.
+    pub parts: Vec<Segment>,
+    /// Scratch slots used, from the first free one on.
+    pub scratch: u32,
+}
+
+/// Cuts `segment` into parts of about `limit` operations (loads and constants not counted), using
+/// slots from `first_free` on. A cut is made where few values cross it.
+pub fn split(segment: &Segment, limit: usize, first_free: u32) -> Split {
+    let ends = cuts(segment, limit.max(1));
+    if ends.len() <= 1 {
+        return Split { parts: vec![segment.clone()], scratch: 0 };
+    }
+    Splitter::new(segment, &ends, first_free).run()
+}
+
+/// Where parts end: positions behind their last operation.
+fn cuts(segment: &Segment, limit: usize) -> Vec<usize> {
+    let crossing = crossing(segment);
+    let mut ends = Vec::new();
+    let mut start = 0;
+    while start < segment.ops.len() {
+        let mut work = 0;
+        let mut best = None;
+        let mut end = start;
+        while end < segment.ops.len() && work < limit {
+            work += usize::from(!segment.ops[end].is_fetch());
+            end += 1;
+            // Late cuts are preferred among equals: fewer parts.
+            let late_enough = work * 4 >= limit * 3;
+            if late_enough && best.is_none_or(|(fewest, _)| crossing[end] <= fewest) {
+                best = Some((crossing[end], end));
+            }
+        }
+        let rest_has_work = segment.ops[end..].iter().any(|op| !op.is_fetch());
+        start = match best {
+            Some((_, at)) if rest_has_work => at,
+            _ => segment.ops.len(),
+        };
+        ends.push(start);
+    }
+    ends
+}
+
+/// For every position, how many values computed before it are used at or behind it.
+fn crossing(segment: &Segment) -> Vec<usize> {
+    let mut last_use = vec![0; segment.ops.len()];
+    for (id, op) in segment.ops.iter().enumerate() {
+        op.for_each_operand(|operand| last_use[operand as usize] = id);
+    }
+    let mut change = vec![0isize; segment.ops.len() + 2];
+    for (id, op) in segment.ops.iter().enumerate() {
+        if !op.is_fetch() && last_use[id] > id {
+            change[id + 1] += 1;
+            change[last_use[id] + 1] -= 1;
+        }
+    }
+    let mut live = 0;
+    change[..=segment.ops.len()]
+        .iter()
+        .map(|change| {
+            live += change;
+            live as usize
+        })
+        .collect()
+}
+
+struct Splitter<'a> {
+    segment: &'a Segment,
+    ends: &'a [usize],
+    /// The part each operation is computed in.
+    home: Vec<usize>,
+    /// The last part that needs it.
+    last: Vec<usize>,
+    /// The scratch slot that keeps it, once its part is done.
+    kept: Vec<Option<u32>>,
+    free: Vec<u32>,
+    first_free: u32,
+    scratch: u32,
+}
+
+impl<'a> Splitter<'a> {
+    fn new(segment: &'a Segment, ends: &'a [usize], first_free: u32) -> Self {
+        let mut home = Vec::with_capacity(segment.ops.len());
+        for (part, &end) in ends.iter().enumerate() {
+            home.resize(end, part);
+        }
+        let mut last = home.clone();
+        for (id, op) in segment.ops.iter().enumerate() {
+            op.for_each_operand(|operand| {
+                let last = &mut last[operand as usize];
+                *last = home[id].max(*last);
+            });
+        }
+        let splitter = Self {
+            segment,
+            ends,
+            home,
+            last,
+            kept: vec![None; segment.ops.len()],
+            free: Vec::new(),
+            first_free,
+            scratch: 0,
+        };
+        splitter.with_late_stores()
+    }
+
+    /// The part that performs a store: where its value is computed, or the last one if the slot
+    /// is also read, so that every load still comes before.
+    fn store_part(&self, slot: u32, id: OpId) -> usize {
+        if self.segment.sources.contains(&Source::Slot(slot)) {
+            self.ends.len() - 1
+        } else {
+            self.home[id as usize]
+        }
+    }
+
+    fn with_late_stores(mut self) -> Self {
+        for &(slot, id) in &self.segment.stores {
+            let part = self.store_part(slot, id);
+            let last = &mut self.last[id as usize];
+            *last = part.max(*last);
+        }
+        self
+    }
+
+    fn run(mut self) -> Split {
+        let parts = (0..self.ends.len()).map(|part| self.part(part)).collect();
+        Split { parts, scratch: self.scratch }
+    }
+
+    fn part(&mut self, part: usize) -> Segment {
+        let start = if part == 0 { 0 } else { self.ends[part - 1] };
+        let end = self.ends[part];
+        let mut writer = Writer::default();
+        for id in start..end {
+            // Fetches are repeated where they are used.
+            let op = self.segment.ops[id];
+            if !op.is_fetch() {
+                let op = op.map_operands(|operand| self.operand(&mut writer, operand));
+                writer.push(id as OpId, op);
+            }
+        }
+        for &(slot, id) in &self.segment.stores {
+            if self.store_part(slot, id) == part {
+                let id = self.operand(&mut writer, id);
+                writer.segment.stores.push((slot, id));
+            }
+        }
+        // Slots are given back only after those of this part are taken: within a part no slot is
+        // both read and written.
+        for id in start..end {
+            if self.last[id] > part && !self.segment.ops[id].is_fetch() {
+                let slot = self.take();
+                self.kept[id] = Some(slot);
+                let id = self.operand(&mut writer, id as OpId);
+                writer.segment.stores.push((slot, id));
+            }
+        }
+        for id in 0..end {
+            if self.last[id] == part && self.home[id] < part {
+                self.free.extend(self.kept[id]);
+            }
+        }
+        writer.segment
+    }
+
+    fn take(&mut self) -> u32 {
+        self.free.pop().unwrap_or_else(|| {
+            self.scratch += 1;
+            self.first_free + self.scratch - 1
+        })
+    }
+
+    /// The operation in the part being written that has the word of `id`.
+    fn operand(&self, writer: &mut Writer, id: OpId) -> OpId {
+        if let Some(&known) = writer.known.get(&id) {
+            return known;
+        }
+        let op = match (self.segment.ops[id as usize], self.kept[id as usize]) {
+            (Op::Load(source), _) => writer.load(self.segment.sources[source as usize]),
+            (_, Some(slot)) => writer.load(Source::Slot(slot)),
+            (op, None) => op,
+        };
+        writer.push(id, op)
+    }
+}
+
+/// A part being written.
+#[derive(Default)]
+struct Writer {
+    segment: Segment,
+    /// Operations of the whole by operations of the part.
+    known: HashMap<OpId, OpId>,
+    sources: HashMap<Source, u32>,
+}
+
+impl Writer {
+    fn push(&mut self, whole: OpId, op: Op) -> OpId {
+        let id = self.segment.ops.len() as OpId;
+        self.segment.ops.push(op);
+        self.known.insert(whole, id);
+        id
+    }
+
+    fn load(&mut self, source: Source) -> Op {
+        let sources = &mut self.segment.sources;
+        Op::Load(*self.sources.entry(source).or_insert_with(|| {
+            sources.push(source);
+            sources.len() as u32 - 1
+        }))
+    }
+}

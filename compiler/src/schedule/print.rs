@@ -1,0 +1,72 @@
+//! Schedules as text.
+
+use std::fmt;
+
+use crate::engine::lanes::Source;
+
+use super::{Item, Schedule};
+
+struct Words<'a>(&'a [Source]);
+
+impl fmt::Display for Words<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (at, word) in self.0.iter().enumerate() {
+            let gap = if at == 0 { "" } else { " " };
+            match word {
+                Source::Uniform(at) => write!(f, "{gap}u{at}")?,
+                Source::Slot(slot) => write!(f, "{gap}s{slot}")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Schedule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (field, first) in &self.fields {
+            writeln!(f, "s{first} = state {}", field.name())?;
+        }
+        for (at, region) in self.regions.iter().enumerate() {
+            writeln!(f, "region {at} ({}):", region.name)?;
+            for item in &region.items {
+                self.item(f, item)?;
+            }
+        }
+        writeln!(f, "root s{}", self.root)
+    }
+}
+
+impl Schedule {
+    fn item(&self, f: &mut fmt::Formatter<'_>, item: &Item) -> fmt::Result {
+        match item {
+            Item::Segment(at) => {
+                writeln!(f, "  segment {at}")?;
+                for step in &self.segments[*at].steps {
+                    writeln!(f, "    s{} = {} ({})", step.output, step.name, Words(&step.words))?;
+                }
+                Ok(())
+            }
+            Item::Force { region, guard } => {
+                let name = &self.regions[*region].name;
+                match guard {
+                    Some(guard) => {
+                        let guard = [*guard];
+                        writeln!(f, "  force region {region} ({name}) where {}", Words(&guard))
+                    }
+                    None => writeln!(f, "  force region {region} ({name})"),
+                }
+            }
+            Item::Request(at) => {
+                let request = &self.requests[*at];
+                let effect = request.effect.name();
+                let words = Words(&request.words);
+                writeln!(f, "  s{} = request {effect} {} ({words})", request.output, request.name)
+            }
+            Item::Loop(at) => {
+                let of = &self.loops[*at];
+                let (output, name, region) = (of.output, &of.name, of.region);
+                writeln!(f, "  s{output} = loop {name} over region {region}")
+            }
+        }
+    }
+}

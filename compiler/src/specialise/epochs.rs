@@ -1,0 +1,124 @@
+//! Epochs: the stretches of time over which a node has one value.
+
+use super::{FieldSet, InstanceId};
+use crate::engine::lanes::Source;
+use crate::state::Field;
+
+/// Position in [`Epochs`].
+pub type EpochId = usize;
+
+/// What opened an epoch.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EpochKind {
+    /// The point itself.
+    Point,
+    /// A scope: these fields have other words inside, computed by an instance outside (none if the
+    /// words are uniform).
+    Scope {
+        /// Which computes the words.
+        enter: Option<InstanceId>,
+        /// The words of each field.
+        fields: Vec<(Field, Vec<Source>)>,
+    },
+    /// A light loop; each iteration is a new pass through the epoch.
+    Loop {
+        /// First of the four slots of the light sample.
+        fields: u32,
+        /// Position of the loop's light list.
+        list: usize,
+    },
+}
+
+/// An epoch.
+#[derive(Clone, Debug)]
+pub struct Epoch {
+    /// The one outside; of the outermost, itself.
+    pub parent: EpochId,
+    /// Fields that differ from outside.
+    pub changes: FieldSet,
+    /// What opened it.
+    pub kind: EpochKind,
+    /// Names of scopes and loops down to here, joined by `/`.
+    pub path: String,
+    /// Loop epochs down to here, this one included, outermost first.
+    pub loops: Vec<EpochId>,
+}
+
+/// The tree of epochs; the first is the point itself.
+#[derive(Clone, Debug)]
+pub struct Epochs(pub Vec<Epoch>);
+
+impl Epochs {
+    /// Only the point itself.
+    pub fn new() -> Self {
+        Self(vec![Epoch {
+            parent: 0,
+            changes: FieldSet::NONE,
+            kind: EpochKind::Point,
+            path: String::new(),
+            loops: Vec::new(),
+        }])
+    }
+
+    /// Opens an epoch inside `parent`.
+    pub fn open(
+        &mut self,
+        parent: EpochId,
+        name: &str,
+        changes: FieldSet,
+        kind: EpochKind,
+    ) -> EpochId {
+        let id = self.0.len();
+        let outer = &self.0[parent];
+        let mut loops = outer.loops.clone();
+        if matches!(kind, EpochKind::Loop { .. }) {
+            loops.push(id);
+        }
+        let path = format!("{}{name}/", outer.path);
+        self.0.push(Epoch { parent, changes, kind, path, loops });
+        id
+    }
+
+    /// The outermost epoch in which something that reads `fields` has the value it has in `epoch`.
+    pub fn effective(&self, mut epoch: EpochId, fields: FieldSet) -> EpochId {
+        while epoch != 0 && !self.0[epoch].changes.meets(fields) {
+            epoch = self.0[epoch].parent;
+        }
+        epoch
+    }
+
+    /// Where a field has its words in `epoch`: the nearest epoch outwards that changes it.
+    pub fn changed_in(&self, mut epoch: EpochId, field: Field) -> Option<EpochId> {
+        while epoch != 0 {
+            if self.0[epoch].changes.contains(field) {
+                return Some(epoch);
+            }
+            epoch = self.0[epoch].parent;
+        }
+        None
+    }
+
+    /// The innermost loop round `epoch`, itself included.
+    pub fn innermost_loop(&self, epoch: EpochId) -> Option<EpochId> {
+        self.0[epoch].loops.last().copied()
+    }
+
+    /// Whether `inner` is `outer` or lies within it.
+    pub fn within(&self, mut inner: EpochId, outer: EpochId) -> bool {
+        loop {
+            if inner == outer {
+                return true;
+            }
+            if inner == 0 {
+                return false;
+            }
+            inner = self.0[inner].parent;
+        }
+    }
+}
+
+impl Default for Epochs {
+    fn default() -> Self {
+        Self::new()
+    }
+}

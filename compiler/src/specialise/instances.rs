@@ -1,0 +1,123 @@
+//! The data of a specialised graph.
+
+use crate::effects::Effect;
+use crate::engine::lanes::Source;
+use crate::nodes::Code;
+use crate::state::Field;
+
+use super::{EpochId, Epochs, Uniforms};
+
+/// Position in [`Specialised::instances`]; what an instance demands has a lower one.
+pub type InstanceId = usize;
+
+/// One evaluation of a node: at most once per point and pass through its epoch.
+#[derive(Clone, Debug)]
+pub struct Instance {
+    /// The node's name, with the scopes round it.
+    pub name: String,
+    /// How it is evaluated.
+    pub kind: InstanceKind,
+    /// The epoch it belongs to.
+    pub epoch: EpochId,
+    /// Instances it may demand, in order.
+    pub demands: Vec<Demand>,
+    /// Where its input words come from.
+    pub words: Vec<Source>,
+    /// First slot of its output words.
+    pub output: u32,
+    /// Number of output words.
+    pub outputs: u32,
+}
+
+/// How an instance is evaluated.
+#[derive(Clone, Debug)]
+pub enum InstanceKind {
+    /// By a body.
+    Plain(Code),
+    /// By the renderer.
+    Request {
+        /// What is asked.
+        effect: Effect,
+        /// State fields that scopes round it changed.
+        context: Context,
+        /// Key of its random numbers: a hash of its path of names.
+        site: u64,
+        /// Loop epochs round it, outermost first: their iterations go into the key too.
+        loops: Vec<EpochId>,
+        /// Where light colours are kept, for [`Effect::LightColor`].
+        table: Option<usize>,
+    },
+    /// By running a body for every light sample. Its last demand is the body.
+    Loop {
+        /// Epoch of the body.
+        epoch: EpochId,
+        /// Position in [`Specialised::light_lists`].
+        list: usize,
+        /// First of the slots for [`Field::LightDirection`] (3) and [`Field::LightDistance`] (1).
+        fields: u32,
+        /// The body's instance, if it is computed at all.
+        body: Option<InstanceId>,
+        /// The body's four words.
+        words: Vec<Source>,
+        /// State fields that scopes round it changed.
+        context: Context,
+    },
+}
+
+/// State fields with the words that replace them.
+pub type Context = Vec<(Field, Vec<Source>)>;
+
+/// An instance that may be demanded.
+#[derive(Clone, Debug)]
+pub struct Demand {
+    /// Which.
+    pub source: InstanceId,
+    /// Only where this holds.
+    pub guard: Option<Guard>,
+}
+
+/// The condition of a demand, over words that are ready before it.
+#[derive(Clone, Debug)]
+pub struct Guard {
+    /// One word, a mask.
+    pub code: Code,
+    /// Its input words.
+    pub words: Vec<Source>,
+}
+
+/// Light colours already asked for, shared by all loops over the same lights in the same epoch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct LightTable {
+    /// Position in [`Specialised::light_lists`].
+    pub list: usize,
+    /// Passing through this epoch anew empties the table.
+    pub epoch: EpochId,
+}
+
+/// A graph made concrete for one root and ray type.
+#[derive(Clone, Debug)]
+pub struct Specialised {
+    /// Evaluations, demanded ones first; the last is the root's.
+    pub instances: Vec<Instance>,
+    /// Epochs.
+    pub epochs: Epochs,
+    /// Uniform words.
+    pub uniforms: Uniforms,
+    /// State fields in use, each with the first of its slots.
+    pub fields: Vec<(Field, u32)>,
+    /// Whether anything depends on the ray type it was specialised for.
+    pub reads_ray_type: bool,
+    /// Slots in use.
+    pub slots: u32,
+    /// Names of the lights loops run over.
+    pub light_lists: Vec<Vec<String>>,
+    /// Tables of light colours.
+    pub tables: Vec<LightTable>,
+}
+
+impl Specialised {
+    /// The root: four words of colour, then ok.
+    pub fn root(&self) -> InstanceId {
+        self.instances.len() - 1
+    }
+}

@@ -1,0 +1,135 @@
+//! Words that are the same for every point: literals, parameters, and what is computed from them
+//! alone. Computed when parameters are bound, not when points are shaded.
+
+use std::collections::HashMap;
+
+use crate::engine::lanes::Source;
+use crate::nodes::{Code, Literal};
+
+/// The uniform words of a specialised graph and how to compute them.
+#[derive(Clone, Debug, Default)]
+pub struct Uniforms {
+    values: Vec<u32>,
+    constants: HashMap<u32, u32>,
+    parameters: Vec<(usize, u32)>,
+    computed: Vec<Computed>,
+    decisions: Vec<Decision>,
+}
+
+/// A node over uniform words alone.
+#[derive(Clone, Debug)]
+struct Computed {
+    code: Code,
+    inputs: Vec<u32>,
+    output: u32,
+}
+
+/// A guard over uniform words alone, whose outcome shaped the code.
+#[derive(Clone, Debug)]
+struct Decision {
+    code: Code,
+    inputs: Vec<u32>,
+    outcome: bool,
+}
+
+impl Uniforms {
+    /// The words, in order of position.
+    pub fn values(&self) -> &[u32] {
+        &self.values
+    }
+
+    /// The word with these bits.
+    pub fn constant(&mut self, bits: u32) -> Source {
+        let values = &mut self.values;
+        let at = *self.constants.entry(bits).or_insert_with(|| {
+            values.push(bits);
+            values.len() as u32 - 1
+        });
+        Source::Uniform(at)
+    }
+
+    /// The words of an interface parameter, whose value they take anew at each binding.
+    pub fn parameter(&mut self, parameter: usize, value: &Literal) -> Vec<Source> {
+        let words = value.words();
+        let known = self.parameters.iter().find(|(of, _)| *of == parameter);
+        let first = match known {
+            Some(&(_, first)) => first,
+            None => {
+                let first = self.values.len() as u32;
+                self.values.extend(&words);
+                self.parameters.push((parameter, first));
+                first
+            }
+        };
+        (0..words.len() as u32).map(|word| Source::Uniform(first + word)).collect()
+    }
+
+    /// The positions of `sources`, if all are uniform.
+    pub fn positions(sources: &[Source]) -> Option<Vec<u32>> {
+        sources
+            .iter()
+            .map(|source| match source {
+                Source::Uniform(at) => Some(*at),
+                Source::Slot(_) => None,
+            })
+            .collect()
+    }
+
+    /// The outputs of `code` over uniform words.
+    pub fn compute(&mut self, code: Code, inputs: Vec<u32>) -> Vec<Source> {
+        let output = self.values.len() as u32;
+        self.values.resize(self.values.len() + code.outputs, 0);
+        let computed = Computed { code, inputs, output };
+        computed.run(&mut self.values);
+        self.computed.push(computed);
+        (0..code.outputs as u32).map(|word| Source::Uniform(output + word)).collect()
+    }
+
+    /// The outcome of a guard over uniform words; remembered as one that shaped the code.
+    pub fn decide(&mut self, code: Code, inputs: Vec<u32>) -> bool {
+        let mut decision = Decision { code, inputs, outcome: false };
+        decision.outcome = decision.run(&self.values);
+        let outcome = decision.outcome;
+        self.decisions.push(decision);
+        outcome
+    }
+
+    /// Takes new values of the interface parameters. False, with nothing changed, if a guard would
+    /// now be decided otherwise: then the graph must be specialised anew.
+    #[must_use]
+    pub fn rebind(&mut self, parameters: &[Literal]) -> bool {
+        let mut values = self.values.clone();
+        for &(parameter, first) in &self.parameters {
+            let words = parameters[parameter].words();
+            values[first as usize..first as usize + words.len()].copy_from_slice(&words);
+        }
+        for computed in &self.computed {
+            computed.run(&mut values);
+        }
+        let same = self.decisions.iter().all(|decision| decision.run(&values) == decision.outcome);
+        if same {
+            self.values = values;
+        }
+        same
+    }
+}
+
+fn gather(values: &[u32], positions: &[u32]) -> Vec<u32> {
+    positions.iter().map(|&at| values[at as usize]).collect()
+}
+
+impl Computed {
+    fn run(&self, values: &mut [u32]) {
+        let inputs = gather(values, &self.inputs);
+        let output = self.output as usize;
+        (self.code.scalar)(&inputs, &mut values[output..output + self.code.outputs]);
+    }
+}
+
+impl Decision {
+    fn run(&self, values: &[u32]) -> bool {
+        let mut outcome = [0];
+        (self.code.scalar)(&gather(values, &self.inputs), &mut outcome);
+        outcome[0] != 0
+    }
+}

@@ -1,0 +1,200 @@
+//! One look at all nodes: those of the graph, those its inputs imply by their defaults, and the
+//! root.
+
+use std::collections::HashMap;
+
+use crate::graph::{Binding, Graph, Root};
+use crate::nodes::{Default, Definition, Literal, NodeLibrary, Overload, Signature, Type};
+use crate::state::Field;
+
+use super::{SpecialiseError, internal};
+
+/// What an input gets its value from, defaults resolved.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Resolved {
+    /// A constant of the input's type.
+    Literal(Literal),
+    /// A parameter of the interface.
+    Parameter(usize),
+    /// A field of the state.
+    State(Field),
+    /// An output of a node.
+    Node {
+        /// Which.
+        view: usize,
+        /// Position in its outputs.
+        output: usize,
+    },
+}
+
+struct View<'a> {
+    name: String,
+    definition: &'a Definition,
+    overload: usize,
+    bindings: Vec<Binding>,
+}
+
+/// All nodes; the graph's first, in its order, the root last.
+pub(super) struct Views<'a> {
+    views: Vec<View<'a>>,
+    implied: HashMap<&'static str, usize>,
+}
+
+impl<'a> Views<'a> {
+    /// The nodes of `graph` for `root`.
+    pub fn new(
+        graph: &'a Graph,
+        library: &'a NodeLibrary,
+        root: &Root,
+    ) -> Result<Self, SpecialiseError> {
+        let mut views = Vec::with_capacity(graph.nodes.len() + 1);
+        for node in &graph.nodes {
+            let definition = library.definition(node.node_type);
+            let fits = node.inputs.len() == definition.signature.inputs.len()
+                && node.overload < definition.overloads.len();
+            if !fits {
+                return Err(inconsistent(&node.name, "its inputs are not those of its type"));
+            }
+            views.push(View {
+                name: node.name.clone(),
+                definition,
+                overload: node.overload,
+                bindings: node.inputs.clone(),
+            });
+        }
+        let mut all = Self { views, implied: HashMap::new() };
+        let mut next = 0;
+        while next < all.views.len() {
+            all.imply(next, library)?;
+            next += 1;
+        }
+        all.views.push(View {
+            name: format!("{}.{}", graph.name, root.kind.name()),
+            definition: internal::root_definition(),
+            overload: 0,
+            bindings: vec![root.ok.clone(), root.color.clone()],
+        });
+        Ok(all)
+    }
+
+    /// Adds the nodes that defaults of `view` imply, each type once.
+    fn imply(&mut self, view: usize, library: &'a NodeLibrary) -> Result<(), SpecialiseError> {
+        let View { definition, bindings, name, .. } = &self.views[view];
+        let mut missing = Vec::new();
+        for (input, binding) in definition.signature.inputs.iter().zip(bindings) {
+            match (&input.default, binding) {
+                (Default::Node(implied), Binding::Default) => {
+                    if !self.implied.contains_key(implied) {
+                        missing.push(*implied);
+                    }
+                }
+                (Default::Required, Binding::Default) => {
+                    return Err(inconsistent(name, &format!("input `{}` is missing", input.name)));
+                }
+                _ => {}
+            }
+        }
+        for implied in missing {
+            let Some(node_type) = library.find(implied) else {
+                return Err(inconsistent(implied, "an input implies this node type, which is unknown"));
+            };
+            let definition = library.definition(node_type);
+            self.implied.insert(implied, self.views.len());
+            self.views.push(View {
+                name: format!("({implied})"),
+                definition,
+                overload: 0,
+                bindings: vec![Binding::Default; definition.signature.inputs.len()],
+            });
+        }
+        Ok(())
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.views.len()
+    }
+
+    /// The root.
+    pub fn root(&self) -> usize {
+        self.views.len() - 1
+    }
+
+    /// The node's name.
+    pub fn name(&self, view: usize) -> &str {
+        &self.views[view].name
+    }
+
+    /// The node's signature.
+    pub fn signature(&self, view: usize) -> &'a Signature {
+        &self.views[view].definition.signature
+    }
+
+    /// The form of the node that is used.
+    pub fn overload(&self, view: usize) -> &'a Overload {
+        &self.views[view].definition.overloads[self.views[view].overload]
+    }
+
+    /// Number of inputs.
+    pub fn inputs(&self, view: usize) -> usize {
+        self.views[view].bindings.len()
+    }
+
+    /// Type of an input, generic ones settled.
+    pub fn input_type(&self, view: usize, input: usize) -> Type {
+        self.settled(view, self.signature(view).inputs[input].value_type)
+    }
+
+    /// Type of an output, generic ones settled.
+    pub fn output_type(&self, view: usize, output: usize) -> Type {
+        self.settled(view, self.signature(view).outputs[output].value_type)
+    }
+
+    fn settled(&self, view: usize, value_type: Type) -> Type {
+        match (value_type, self.overload(view).generic) {
+            (Type::Generic, Some(generic)) => generic,
+            _ => value_type,
+        }
+    }
+
+    /// First word of an output.
+    pub fn output_offset(&self, view: usize, output: usize) -> usize {
+        (0..output).map(|before| self.output_type(view, before).width()).sum()
+    }
+
+    /// Words of all inputs.
+    pub fn input_words(&self, view: usize) -> usize {
+        (0..self.inputs(view)).map(|input| self.input_type(view, input).width()).sum()
+    }
+
+    /// What an input gets its value from.
+    pub fn resolve(&self, view: usize, input: usize) -> Resolved {
+        match &self.views[view].bindings[input] {
+            Binding::Literal(literal) => Resolved::Literal(literal.clone()),
+            Binding::Parameter(parameter) => Resolved::Parameter(*parameter),
+            Binding::Node { node, output } => Resolved::Node { view: *node, output: *output },
+            Binding::Default => match &self.signature(view).inputs[input].default {
+                Default::Literal(literal) => {
+                    Resolved::Literal(repeated(literal, self.input_type(view, input)))
+                }
+                Default::State(field) => Resolved::State(*field),
+                Default::Node(implied) => Resolved::Node { view: self.implied[implied], output: 0 },
+                // Refused in `new`.
+                Default::Required => Resolved::Literal(Literal::Lights(Vec::new())),
+            },
+        }
+    }
+}
+
+/// A scalar default of a generic input, repeated over the components.
+fn repeated(literal: &Literal, to: Type) -> Literal {
+    match (literal, to) {
+        (Literal::Scalar(x), Type::Vector) => Literal::Vector([*x; 3]),
+        _ => literal.converted_to(to).unwrap_or_else(|| literal.clone()),
+    }
+}
+
+/// The error of a graph that was not checked with this library.
+pub(super) fn inconsistent(node: &str, problem: &str) -> SpecialiseError {
+    SpecialiseError::Inconsistent { node: node.to_owned(), problem: problem.to_owned() }
+}
