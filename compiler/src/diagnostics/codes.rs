@@ -109,12 +109,20 @@ codes! {
         right r#"{ "phenomenon": "a_b", "roots": { "material": 1 } }"#;
     NUMBER_OUT_OF_RANGE "number-out-of-range" Error "A number past the limits",
         "The number lies outside the values that make sense in this place. Numbers are kept in 32 bits: scalars reach 3.4e38, integers 2147483647.",
-        wrong r#"{ "phenomenon": "a", "roots": { "material": 1e400 } }"#,
-        right r#"{ "phenomenon": "a", "roots": { "material": 1e4 } }"#;
+        wrong r#"{ "phenomenon": "a", "version": -1, "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "version": 1, "roots": { "material": 1 } }"#;
     UNKNOWN_CHOICE "unknown-choice" Error "A word that is none of the choices",
-        "The place takes one of a few words.",
+        "The place takes one of a few words, and this is none of them.",
         wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "colour", "default": 1 } }, "roots": { "material": { "interface": "p" } } }"#,
         right r#"{ "phenomenon": "a", "interface": { "p": { "type": "color", "default": 1 } }, "roots": { "material": { "interface": "p" } } }"#;
+    EMPTY_RANGE "empty-range" Error "A range that holds nothing",
+        "The minimum is above the maximum, or an enumeration lists no values, so the parameter could take no value at all.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1, "min": 2, "max": 0 } }, "roots": { "material": { "interface": "p" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1, "min": 0, "max": 2 } }, "roots": { "material": { "interface": "p" } } }"#;
+    UNKNOWN_ROOT "unknown-root" Error "A root of a shader type that does not exist",
+        "The keys of `roots` are mental ray's shader types.",
+        wrong r#"{ "phenomenon": "a", "roots": { "matrial": 1 } }"#,
+        right r#"{ "phenomenon": "a", "roots": { "material": 1 } }"#;
     NOT_A_GRAPH "not-a-graph" Error "A file that is no phenomenon",
         "A graph is an object with the key `phenomenon`, a scene one with the key `scene`. This file is the other of the two, or neither.",
         wrong r#"{ "nodes": {}, "roots": { "material": 1 } }"#,

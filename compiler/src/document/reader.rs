@@ -18,15 +18,24 @@ pub struct Reader<'d> {
 }
 
 /// An object whose keys are known.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Object<'d> {
     /// The object.
     pub value: &'d Value,
     /// What it is, for messages: "the camera", "node `shade`".
-    pub what: &'static str,
+    pub what: String,
 }
 
 impl<'d> Object<'d> {
+    /// An object whose keys are looked at later, or a finding.
+    pub fn unchecked(reader: &mut Reader<'d>, value: &'d Value, what: &str) -> Option<Self> {
+        if matches!(value.kind, ValueKind::Object(_)) {
+            return Some(Self { value, what: what.to_owned() });
+        }
+        reader.wrong_kind(value, what, "an object");
+        None
+    }
+
     /// The value of a key; the first where there are several.
     pub fn optional(&self, key: &str) -> Option<&'d Value> {
         self.value.get(key)
@@ -36,7 +45,7 @@ impl<'d> Object<'d> {
     pub fn required(&self, reader: &mut Reader<'d>, key: &str) -> Option<&'d Value> {
         let value = self.value.get(key);
         if value.is_none() {
-            reader.missing(self.value, self.what, key);
+            reader.missing(self.value, &self.what, key);
         }
         value
     }
@@ -93,18 +102,13 @@ impl<'d> Reader<'d> {
     }
 
     /// An object, or a finding; each member not in `keys` is a finding, with the nearest key.
-    pub fn object(
-        &mut self,
-        value: &'d Value,
-        what: &'static str,
-        keys: &[&str],
-    ) -> Option<Object<'d>> {
+    pub fn object(&mut self, value: &'d Value, what: &str, keys: &[&str]) -> Option<Object<'d>> {
         for member in self.members(value, what)? {
             if !keys.contains(&member.key.as_str()) {
                 self.unknown_key(member, what, keys);
             }
         }
-        Some(Object { value, what })
+        Some(Object { value, what: what.to_owned() })
     }
 
     /// The members of an object with free keys, each key once; or a finding.

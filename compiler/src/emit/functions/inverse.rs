@@ -39,9 +39,11 @@ fn half_angle<R: Real>(x: R) -> Half<R> {
 #[inline(always)]
 pub fn asin<R: Real>(x: R) -> R {
     let Half { above_half, r, curve } = half_angle(x);
-    // pi/2 - 2 (r + curve), the large terms first: their difference is exact or nearly so.
-    let two = x.same(-2.0);
-    let from_axis = r.mul_add(two, x.same(HALF_PI[0])) + curve.mul_add(two, x.same(HALF_PI[1]));
+    // pi/2 - 2 (r + curve), with what the first difference loses: the result may be smaller.
+    let (quarter_turn, two_r) = (x.same(HALF_PI[0]), r + r);
+    let difference = quarter_turn - two_r;
+    let lost = (quarter_turn - difference) - two_r;
+    let from_axis = difference + curve.mul_add(x.same(-2.0), lost + HALF_PI[1]);
     flipped(above_half.select(from_axis, r + curve), sign_bit(x))
 }
 
