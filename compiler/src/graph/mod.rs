@@ -2,11 +2,13 @@
 //! and the engines start from.
 
 mod bind;
+mod with_root;
 
 use crate::nodes::{FINITE, Literal, NodeType, Type};
 use std::ops::RangeInclusive;
 
 pub use bind::BindError;
+pub use with_root::WithRootError;
 
 /// A phenomenon without findings of severity error.
 #[derive(Clone, Debug)]

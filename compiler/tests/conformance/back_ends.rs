@@ -1,8 +1,11 @@
 //! The back ends under test, each as a function from rows of inputs to rows of outputs.
 
+use phenomenon_compiler::engine::jit::JitCode;
 use phenomenon_compiler::engine::lanes::{LANES, Lanes, Placement, Source};
+use phenomenon_compiler::ops::{Segment, dead, fold, split};
 
 use crate::cases::Case;
+use crate::reference;
 
 /// A table of words.
 pub struct Rows {
@@ -32,12 +35,28 @@ impl Rows {
 /// Runs a case over rows of inputs.
 pub type Run = fn(&Case, &Rows) -> Rows;
 
-/// Every back end.
-pub const ALL: &[(&str, Run)] = &[
+/// Every back end there is on this machine.
+pub fn all() -> impl Iterator<Item = &'static (&'static str, Run)> {
+    let machine_code = if JitCode::available().is_ok() { MACHINE_CODE } else { &[] };
+    ALWAYS.iter().chain(machine_code)
+}
+
+const ALWAYS: &[(&str, Run)] = &[
     ("scalar", |case, inputs| point_by_point(case.code.scalar, case, inputs)),
     ("scalar, portable", |case, inputs| point_by_point(case.code.scalar_portable, case, inputs)),
     ("wide", |case, inputs| blocks(case.code.wide, case, inputs)),
     ("wide, portable", |case, inputs| blocks(case.code.wide_portable, case, inputs)),
+];
+
+const MACHINE_CODE: &[(&str, Run)] = &[
+    ("machine code", |case, inputs| compiled(case, inputs, |segment| vec![segment])),
+    ("machine code, folded", |case, inputs| {
+        compiled(case, inputs, |segment| vec![dead::remove(&fold::fold(&segment))])
+    }),
+    ("machine code, split", |case, inputs| {
+        let scratch = (inputs.width + case.outputs.len()) as u32;
+        compiled(case, inputs, |segment| split::split(&segment, 7, scratch).parts)
+    }),
 ];
 
 fn point_by_point(run: fn(&[u32], &mut [u32]), case: &Case, inputs: &Rows) -> Rows {
@@ -48,6 +67,24 @@ fn point_by_point(run: fn(&[u32], &mut [u32]), case: &Case, inputs: &Rows) -> Ro
         rows.push(&outputs);
     }
     rows
+}
+
+/// Slots past inputs and outputs, for values that cross the cuts of a split segment.
+const SCRATCH: usize = 64;
+
+/// Records the case, prepares the segment, compiles it, and runs its parts.
+fn compiled(case: &Case, inputs: &Rows, prepare: impl Fn(Segment) -> Vec<Segment>) -> Rows {
+    let sources: Vec<Source> = (0..inputs.width as u32).map(Source::Slot).collect();
+    let (ops, results) = reference::tape(case);
+    let first = inputs.width as u32;
+    let stores = (first..).zip(results).collect();
+    let parts = prepare(Segment { ops, sources: sources.clone(), stores });
+    let slots = inputs.width + case.outputs.len() + SCRATCH;
+    let code = JitCode::compile(&parts, UNIFORMS, slots).expect("compiles");
+    let run = |file: &mut [Lanes], placement: &Placement<'_>| {
+        (0..parts.len()).for_each(|part| code.run(part, file, placement.blocks));
+    };
+    placed(run, case, inputs, &sources, slots, first)
 }
 
 type Wide = fn(&mut [Lanes], &Placement<'_>);
@@ -76,7 +113,7 @@ pub fn with_uniform(case: &Case, inputs: &Rows) -> Rows {
 }
 
 fn placed(
-    run: Wide,
+    run: impl Fn(&mut [Lanes], &Placement<'_>),
     case: &Case,
     inputs: &Rows,
     sources: &[Source],

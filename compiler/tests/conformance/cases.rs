@@ -1,5 +1,6 @@
 //! The operations and functions under test, one line each.
 
+use phenomenon_compiler::emit::functions::{self, conventions};
 use phenomenon_compiler::emit::{
     Components, Emit, Int, Mask, Real, Sink, Words, read_vector, write_vector,
 };
@@ -73,6 +74,8 @@ pub fn cases() -> Vec<Case> {
     let mut list = vec![];
     primitives(&mut list);
     compositions(&mut list);
+    transcendental(&mut list);
+    guarded(&mut list);
     list
 }
 
@@ -136,4 +139,37 @@ cases! { compositions, false:
     normalized |a: vector| -> vector a.normalized();
     vector_minimum |a: vector, b: vector| -> vector Components::minimum(a, b);
     vector_scaled |a: vector, f: real| -> vector a * f;
+}
+
+cases! { transcendental, false:
+    exp |a: real| -> real functions::exp(a);
+    exp2 |a: real| -> real functions::exp2(a);
+    expm1 |a: real| -> real functions::expm1(a);
+    sinh |a: real| -> real functions::sinh(a);
+    cosh |a: real| -> real functions::cosh(a);
+    tanh |a: real| -> real functions::tanh(a);
+    ln |a: real| -> real functions::ln(a);
+    log2 |a: real| -> real functions::log2(a);
+    log1p |a: real| -> real functions::log1p(a);
+    sin |a: real| -> real functions::sin(a);
+    cos |a: real| -> real functions::cos(a);
+    tan |a: real| -> real functions::tan(a);
+    asin |a: real| -> real functions::asin(a);
+    acos |a: real| -> real functions::acos(a);
+    atan |a: real| -> real functions::atan(a);
+    atan2 |y: real, x: real| -> real functions::atan2(y, x);
+    pow |x: real, y: real| -> real functions::pow(x, y);
+}
+
+cases! { guarded, false:
+    clamp_finite |a: real| -> real conventions::clamp_finite(a);
+    sqrt_or_zero |a: real| -> real conventions::sqrt_or_zero(a);
+    ln_or_zero |a: real| -> real conventions::ln_or_zero(a);
+    log2_or_zero |a: real| -> real conventions::log2_or_zero(a);
+    asin_clamped |a: real| -> real conventions::asin_clamped(a);
+    acos_clamped |a: real| -> real conventions::acos_clamped(a);
+    pow_or_zero |x: real, y: real| -> real conventions::pow_or_zero(x, y);
+    atan2_or_zero |y: real, x: real| -> real conventions::atan2_or_zero(y, x);
+    modulo_or_zero |x: real, d: real| -> real conventions::modulo_or_zero(x, d);
+    int_divide_or_zero |n: int, d: int| -> int conventions::int_divide_or_zero(n, d);
 }

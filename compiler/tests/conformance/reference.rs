@@ -5,7 +5,8 @@ use phenomenon_compiler::ops::{Op, Tape};
 use crate::back_ends::Rows;
 use crate::cases::Case;
 
-fn tape(case: &Case) -> (Vec<Op>, Vec<u32>) {
+/// What a case records: operations, of which `Load(n)` is input `n`, and those of its outputs.
+pub fn tape(case: &Case) -> (Vec<Op>, Vec<u32>) {
     let tape = Tape::new();
     let inputs: Vec<u32> = (0..case.inputs.len() as u32).map(|i| tape.push(Op::Load(i))).collect();
     let mut outputs = vec![0; case.outputs.len()];
