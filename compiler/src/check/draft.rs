@@ -16,6 +16,9 @@ pub(super) struct Draft<'d> {
     pub parameter_names: HashMap<&'d str, usize>,
     pub node_names: HashMap<&'d str, usize>,
     pub suggestions: Suggestions,
+    /// Whether something was left out that may have held connections: a second `nodes`, a root of
+    /// unknown type.
+    pub unresolved: Cell<bool>,
 }
 
 /// An interface parameter.

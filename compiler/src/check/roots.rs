@@ -68,6 +68,7 @@ pub(super) fn read<'d>(
         any = true;
         let Some(kind) = ShaderType::ALL.into_iter().find(|kind| kind.name() == member.key) else {
             unknown_root(reader, member);
+            draft.unresolved.set(true);
             continue;
         };
         let (color, ok) = read_root(reader, &member.value, draft);
