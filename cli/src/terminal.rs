@@ -28,11 +28,11 @@ pub fn complain(failure: &Failure) {
 }
 
 /// A progress bar on a terminal, nothing in a pipe or where `quiet`.
-pub fn progress(length: u64, unit: &str, quiet: bool) -> ProgressBar {
+pub fn progress(unit: &str, quiet: bool) -> ProgressBar {
     if quiet || !io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let bar = ProgressBar::new(length);
+    let bar = ProgressBar::new(1);
     let template = format!("{{bar:40}} {{pos}}/{{len}} {unit} {{eta}} left");
     if let Ok(style) = ProgressStyle::with_template(&template) {
         bar.set_style(style);

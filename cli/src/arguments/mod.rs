@@ -10,6 +10,6 @@ mod size;
 pub use assignment::{Assignment, assignment};
 pub use choices::{EngineChoice, Format, Precision, SimdChoice};
 pub use node_path::{NodePath, node_path};
-pub use numbers::{batch, samples, seed, threads, tolerance};
+pub use numbers::{batch, exposure, samples, seed, threads, tolerance};
 pub use output::{picture, require_writable};
 pub use size::{Size, size};

@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use phenomenon_runtime::render::SAMPLE_LIMIT;
+
 fn count(text: &str, range: RangeInclusive<u32>, what: &str) -> Result<u32, String> {
     text.parse()
         .ok()
@@ -11,12 +13,12 @@ fn count(text: &str, range: RangeInclusive<u32>, what: &str) -> Result<u32, Stri
 
 /// Reads `--spp`.
 pub fn samples(text: &str) -> Result<u32, String> {
-    count(text, 1..=65_536, "a number of samples a pixel")
+    count(text, 1..=SAMPLE_LIMIT, "a number of samples a pixel")
 }
 
 /// Reads `--threads`.
-pub fn threads(text: &str) -> Result<u32, String> {
-    count(text, 1..=1_024, "a number of threads")
+pub fn threads(text: &str) -> Result<usize, String> {
+    count(text, 1..=1_024, "a number of threads").map(|threads| threads as usize)
 }
 
 /// Reads `--batch`.
@@ -25,8 +27,16 @@ pub fn batch(text: &str) -> Result<u32, String> {
 }
 
 /// Reads `--seed`.
-pub fn seed(text: &str) -> Result<u32, String> {
-    count(text, 0..=u32::MAX, "an integer")
+pub fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("give a whole number from 0 to {}", u64::MAX))
+}
+
+/// Reads `--exposure`.
+pub fn exposure(text: &str) -> Result<f32, String> {
+    text.parse()
+        .ok()
+        .filter(|factor: &f32| factor.is_finite() && *factor > 0.0)
+        .ok_or_else(|| "give a finite number above 0, such as 2".into())
 }
 
 /// Reads `--tolerance`.
@@ -43,13 +53,22 @@ mod tests {
 
     #[test]
     fn counts_have_both_limits() {
-        assert_eq!((samples("1"), samples("65536")), (Ok(1), Ok(65_536)));
-        for text in ["0", "65537", "-1", "1.5", "", "NaN", "99999999999999999999", "+ 1"] {
+        assert_eq!((samples("1"), samples("1048576")), (Ok(1), Ok(SAMPLE_LIMIT)));
+        for text in ["0", "1048577", "-1", "1.5", "", "NaN", "99999999999999999999", "+ 1"] {
             assert!(samples(text).is_err(), "{text}");
         }
         assert!(threads("0").is_err());
         assert!(batch("0").is_err());
-        assert_eq!(seed("4294967295"), Ok(u32::MAX));
+        assert_eq!(seed("18446744073709551615"), Ok(u64::MAX));
+        assert!(seed("-1").is_err());
+    }
+
+    #[test]
+    fn an_exposure_is_finite_and_above_zero() {
+        assert_eq!(exposure("0.5"), Ok(0.5));
+        for text in ["0", "-0", "-1", "NaN", "inf", "1e39", "1e-50"] {
+            assert!(exposure(text).is_err(), "{text}");
+        }
     }
 
     #[test]

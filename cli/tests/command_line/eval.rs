@@ -14,7 +14,7 @@ const GRAPH: &str = r#"{
   "nodes": {
     "state": { "type": "state" },
     "split": { "type": "split_color", "inputs": { "color": { "interface": "tint" } } },
-    "up": { "type": "scale", "inputs": { "value": { "node": "state", "output": "normal" } } },
+    "up": { "type": "scale", "inputs": { "input": { "node": "state", "output": "normal" } } },
     "chosen": { "type": "select", "inputs": { "condition": { "interface": "on" },
                 "if_true": { "interface": "tint" }, "if_false": { "interface": "ior" } } },
     "mirror": { "type": "trace_reflection" },
