@@ -124,7 +124,9 @@ impl Shader {
     pub fn set(&mut self, name: &str, value: &Literal) -> Result<(), ShaderError> {
         self.take(name, value)?;
         let values = &self.values;
-        if self.programs.iter_mut().all(|program| program.uniforms.rebind(values)) {
+        // Light lists are part of the code.
+        let in_code = matches!(value, Literal::Lights(_));
+        if !in_code && self.programs.iter_mut().all(|program| program.uniforms.rebind(values)) {
             return Ok(());
         }
         self.compile()
