@@ -1,1 +1,28 @@
-//! From a document to a checked graph, with all findings on the way.
+//! Checking a document against a node library: from text to a [`Graph`] the engines can trust.
+//!
+//! ```
+//! use phenomenon_compiler::{check::check_graph, document, nodes::NodeLibrary};
+//!
+//! let text = br#"{ "phenomenon": "a", "nodes": { "n": { "type": "mxi" } },
+//!                  "roots": { "material": { "node": "n" } } }"#;
+//! let document = document::read("a.json", text).unwrap();
+//! let checked = check_graph(&document, &NodeLibrary::standard());
+//! assert!(checked.graph.is_none());
+//! assert_eq!(checked.findings[0].help, "did you mean `mix`?");
+//! ```
+
+mod bind_inputs;
+mod cycles;
+mod draft;
+mod graph;
+mod interface;
+mod light_loops;
+mod literals;
+mod mismatch;
+mod nodes;
+mod roots;
+mod sources;
+mod types;
+
+pub use graph::{Checked, MAX_NODES, check_graph, read_graph_file};
+pub use light_loops::reads_light;

@@ -1,5 +1,177 @@
-//! The codes of findings, each with its story.
+//! The codes of findings, each with its story: the single source of `phenomenon explain`, of
+//! `docs/diagnostics.md` and of the rules in SARIF output.
+
+use std::fmt;
+
+use super::Severity;
 
 /// The stable code of a kind of finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Code(pub &'static str);
+
+/// What there is to say about a code.
+#[derive(Clone, Copy, Debug)]
+pub struct Explanation {
+    /// The code.
+    pub code: Code,
+    /// Severity of its findings.
+    pub severity: Severity,
+    /// What it is, in a few words.
+    pub title: &'static str,
+    /// Why it is reported and what to do, in a paragraph.
+    pub story: &'static str,
+    /// A file, or a part of one, that has it.
+    pub wrong: &'static str,
+    /// The same mended.
+    pub right: &'static str,
+}
+
+macro_rules! codes {
+    ($($constant:ident $code:literal $severity:ident $title:literal,
+        $story:literal, wrong $wrong:literal, right $right:literal;)+) => {
+        impl Code {
+            $(#[doc = $title] pub const $constant: Code = Code($code);)+
+        }
+
+        impl Explanation {
+            /// Every code, in the order of the documentation.
+            pub const ALL: &'static [Explanation] = &[$(Explanation {
+                code: Code::$constant,
+                severity: Severity::$severity,
+                title: $title,
+                story: $story,
+                wrong: $wrong,
+                right: $right,
+            },)+];
+        }
+    };
+}
+
+impl Code {
+    /// What there is to say about it; none for codes another crate made.
+    pub fn explanation(self) -> Option<&'static Explanation> {
+        Explanation::ALL.iter().find(|explanation| explanation.code == self)
+    }
+
+    /// The severity of its findings.
+    pub fn severity(self) -> Severity {
+        self.explanation().map_or(Severity::Error, |explanation| explanation.severity)
+    }
+
+    /// The code of that name.
+    pub fn from_name(name: &str) -> Option<Code> {
+        Explanation::ALL.iter().map(|explanation| explanation.code).find(|code| code.0 == name)
+    }
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.0)
+    }
+}
+
+codes! {
+    UNREADABLE_FILE "unreadable-file" Error "A file that cannot be read",
+        "The file does not exist, is a folder, or may not be read.",
+        wrong "phenomenon check graphs/glas.json", right "phenomenon check graphs/glass.json";
+    FILE_TOO_LARGE "file-too-large" Error "A file past the size limit",
+        "Files are read whole, so their size is limited. Split a larger graph into phenomena that use one another.",
+        wrong "", right "";
+    NOT_UTF8 "not-utf8" Error "A file that is not UTF-8",
+        "JSON is UTF-8. Editors call it \"UTF-8 without BOM\".",
+        wrong "", right "";
+    SYNTAX "syntax" Error "A file that is not JSON",
+        "The file breaks the rules of JSON (RFC 8259), so nothing else can be said about it. There are no comments, no trailing commas and no single quotes.",
+        wrong r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0], } }"#,
+        right r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0] } }"#;
+    TOO_DEEP "too-deep" Error "Nesting past the limit",
+        "Lists and objects may be nested 64 deep. No graph or scene needs more than a dozen levels.",
+        wrong "", right "";
+    DUPLICATE_KEY "duplicate-key" Error "A key given twice",
+        "JSON readers disagree on which of two equal keys counts, so none may stand twice in one object. Here the first is checked and the others are ignored.",
+        wrong r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0], "material": [0, 1, 0] } }"#,
+        right r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0] } }"#;
+    UNKNOWN_KEY "unknown-key" Error "A key that has no meaning",
+        "The object has a fixed set of keys, and this is none of them. Often it is misspelt, or belongs one level up or down.",
+        wrong r#"{ "phenomenon": "a", "root": { "material": [1, 0, 0] }, "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0] } }"#;
+    MISSING_KEY "missing-key" Error "A key that must be given",
+        "The object cannot be understood without this key.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "inputs": {} } }, "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "add" } }, "roots": { "material": { "node": "n" } } }"#;
+    WRONG_KIND "wrong-kind" Error "A value of the wrong kind",
+        "The place takes another kind of JSON value: an object, a list, a string, a number, true or false.",
+        wrong r#"{ "phenomenon": "a", "nodes": [], "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "nodes": {}, "roots": { "material": 1 } }"#;
+    BAD_NAME "bad-name" Error "A name that cannot be used",
+        "Names of phenomena, parameters and nodes are letters, digits, `_` and `-`, at most 256 characters, so that they can stand in paths such as `node.output` and on the command line.",
+        wrong r#"{ "phenomenon": "a b", "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a_b", "roots": { "material": 1 } }"#;
+    NUMBER_OUT_OF_RANGE "number-out-of-range" Error "A number past the limits",
+        "The number lies outside the values that make sense in this place. Numbers are kept in 32 bits: scalars reach 3.4e38, integers 2147483647.",
+        wrong r#"{ "phenomenon": "a", "version": -1, "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "version": 1, "roots": { "material": 1 } }"#;
+    UNKNOWN_CHOICE "unknown-choice" Error "A word that is none of the choices",
+        "The place takes one of a few words, and this is none of them.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "colour", "default": 1 } }, "roots": { "material": { "interface": "p" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "color", "default": 1 } }, "roots": { "material": { "interface": "p" } } }"#;
+    EMPTY_RANGE "empty-range" Error "A range that holds nothing",
+        "The minimum is above the maximum, or an enumeration lists no values, so the parameter could take no value at all.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1, "min": 2, "max": 0 } }, "roots": { "material": { "interface": "p" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1, "min": 0, "max": 2 } }, "roots": { "material": { "interface": "p" } } }"#;
+    UNKNOWN_ROOT "unknown-root" Error "A root of a shader type that does not exist",
+        "The keys of `roots` are mental ray's shader types.",
+        wrong r#"{ "phenomenon": "a", "roots": { "matrial": 1 } }"#,
+        right r#"{ "phenomenon": "a", "roots": { "material": 1 } }"#;
+    NOT_A_GRAPH "not-a-graph" Error "A file that is no phenomenon",
+        "A graph is an object with the key `phenomenon`, a scene one with the key `scene`. This file is the other of the two, or neither.",
+        wrong r#"{ "nodes": {}, "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "nodes": {}, "roots": { "material": 1 } }"#;
+    UNKNOWN_NODE_TYPE "unknown-node-type" Error "A node type that does not exist",
+        "No node of this type is in the library. `phenomenon nodes` lists them all.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mixx" } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": { "node": "n" } } }"#;
+    UNKNOWN_INPUT "unknown-input" Error "An input the node does not have",
+        "The node type has no input of this name. `phenomenon nodes TYPE` lists its inputs.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "wieght": 1 } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 1 } } }, "roots": { "material": { "node": "n" } } }"#;
+    UNKNOWN_OUTPUT "unknown-output" Error "An output the node does not have",
+        "The node that is referred to has no output of this name. Leave `output` out to take its first one.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": { "node": "n", "output": "color" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": { "node": "n", "output": "result" } } }"#;
+    UNKNOWN_NODE "unknown-node" Error "A connection to a node that does not exist",
+        "No node of this name stands under `nodes`.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "shade": { "type": "mix" } }, "roots": { "material": { "node": "shaed" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "shade": { "type": "mix" } }, "roots": { "material": { "node": "shade" } } }"#;
+    UNKNOWN_PARAMETER "unknown-parameter" Error "A connection to an interface parameter that does not exist",
+        "No parameter of this name stands under `interface`.",
+        wrong r#"{ "phenomenon": "a", "roots": { "material": { "interface": "tint" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "tint": { "type": "color", "default": [1, 0, 0] } }, "roots": { "material": { "interface": "tint" } } }"#;
+    TYPE_MISMATCH "type-mismatch" Error "A value of another type than the place takes",
+        "An integer becomes a scalar, and a scalar a grey color, without being asked; any other change of type is a node of its own, so that the file says what is meant.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "s": { "type": "state" } }, "roots": { "material": { "node": "s", "output": "normal" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "s": { "type": "state" } }, "roots": { "material": { "node": "s", "output": "dot_nd" } } }"#;
+    CYCLE "cycle" Error "Nodes that feed themselves",
+        "The value of each node on the path depends on itself, so none can be computed. The finding shows the whole path; break it at one of its connections.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "x": { "type": "add", "inputs": { "a": { "node": "y" } } }, "y": { "type": "add", "inputs": { "a": { "node": "x" } } } }, "roots": { "material": { "node": "x" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "x": { "type": "add", "inputs": { "a": { "node": "y" } } }, "y": { "type": "add", "inputs": { "a": 1 } } }, "roots": { "material": { "node": "x" } } }"#;
+    MISSING_INPUT "missing-input" Error "An input that must be given",
+        "The input has no default: give a literal, an interface parameter or a connection.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "perturb_normal" } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "perturb_normal", "inputs": { "normal": [0, 0, 1] } } }, "roots": { "material": { "node": "n" } } }"#;
+    MISSING_ROOT "missing-root" Error "A phenomenon without a root",
+        "A phenomenon is called through its roots; without one nothing of it can ever run.",
+        wrong r#"{ "phenomenon": "a", "roots": {} }"#,
+        right r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0] } }"#;
+    NOT_FINITE "not-finite" Error "A number that is not finite",
+        "Numbers are kept in 32 bits. This one is too large for them and would become infinite.",
+        wrong r#"{ "phenomenon": "a", "roots": { "material": 1e39 } }"#,
+        right r#"{ "phenomenon": "a", "roots": { "material": 1e38 } }"#;
+    OUTSIDE_LIGHT_LOOP "outside-light-loop" Error "A light sample read outside a light loop",
+        "The nodes `light` and `light_color`, and inputs that default to them, speak of the light sample a loop is at. They have a value only below the `body` input of a `light_loop`.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "c": { "type": "light_color" } }, "roots": { "material": { "node": "c" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "c": { "type": "light_color" }, "all": { "type": "light_loop", "inputs": { "body": { "node": "c" } } } }, "roots": { "material": { "node": "all" } } }"#;
+    TOO_MANY_NODES "too-many-nodes" Error "A graph past the size limit",
+        "The number of nodes is limited, those of nested phenomena included.",
+        wrong "", right "";
+}

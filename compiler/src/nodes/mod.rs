@@ -3,7 +3,14 @@
 #[macro_use]
 mod macros;
 
+#[cfg(test)]
+#[macro_use]
+mod harness;
+#[cfg(test)]
+mod agreement;
+
 mod code;
+pub mod finite;
 mod library;
 mod signature;
 
@@ -31,11 +38,30 @@ macro_rules! nodes {
 
 nodes! {
     /// Arithmetic on numbers, vectors and colours.
-    arithmetic { add }
+    arithmetic {
+        absolute, add, arc_tangent2, clamp, cosine, divide, exponential, floor, fraction,
+        logarithm, maximum, minimum, modulo, multiply, negate, one_minus, power, ratio, scale, sine,
+        smooth_step, square_root, subtract,
+    }
+    /// Values given once and used in many places.
+    constants {
+        constant_boolean, constant_color, constant_integer, constant_scalar, constant_vector,
+    }
+    /// Directions, points and their products.
+    vector { combine_vector, cross, dot, length, normalize, split_vector }
     /// Blending and converting colours.
-    color { mix }
+    color { combine_color, hsv_to_rgb, luminance, mix, overlay, screen, split_color }
+    /// Comparing and choosing.
+    logic { and, equal, less, less_equal, not, or, select, switch }
+    /// Light at the boundary of two media.
+    fresnel { fresnel_dielectric, fresnel_reflection, ior_pair }
     /// Rays: directions, and requests to the renderer.
-    rays { light_color, reflection_direction, trace_reflection }
+    rays {
+        fallback, light_color, ray_is, ray_switch, reflection_direction, refraction_direction,
+        trace_environment, trace_probe, trace_reflection, trace_refraction, trace_transparent,
+    }
+    /// What surfaces do with the light of one sample.
+    shading { lambert }
     /// Nodes that evaluate an input under a changed state, or many times.
     scopes { light_loop, perturb_normal }
     /// What is known about the point that is shaded.

@@ -3,10 +3,8 @@
 mod code;
 mod error;
 mod lower;
+mod plan;
 
 pub use code::JitCode;
 pub use error::JitError;
-
-mod plan;
-
 pub use plan::Plan;

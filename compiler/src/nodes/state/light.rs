@@ -8,7 +8,9 @@ pub fn definition() -> Definition {
         signature: Signature {
             name: "light",
             group: "state",
-            doc: "Where the light sample of the loop round this node lies; only inside a light loop.".into(),
+            doc:
+                "Where the light sample of the loop round this node lies; only inside a light loop."
+                    .into(),
             source: "mental ray manual, miState",
             inputs: Vec::new(),
             outputs: fields

@@ -3,7 +3,8 @@ use crate::state::Field;
 
 /// What the list of nodes holds of this node.
 pub fn definition() -> Definition {
-    let fields: Vec<Field> = Field::ALL.iter().copied().filter(|field| !field.is_of_light()).collect();
+    let fields: Vec<Field> =
+        Field::ALL.iter().copied().filter(|field| !field.is_of_light()).collect();
     Definition {
         signature: Signature {
             name: "state",

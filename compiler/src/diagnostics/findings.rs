@@ -1,0 +1,62 @@
+//! The findings of one run.
+
+use super::{Finding, Severity};
+
+/// How many findings are kept; later ones are counted only, so that a file with a million mistakes
+/// costs no more memory than one with this many.
+pub const KEPT_FINDINGS: usize = 10_000;
+
+/// The findings of one run, bounded.
+#[derive(Clone, Debug, Default)]
+pub struct Findings {
+    kept: Vec<Finding>,
+    /// Findings made but not kept, by severity: note, warning, error.
+    omitted: [usize; 3],
+}
+
+impl Findings {
+    /// Adds a finding, or counts it where there are too many.
+    pub fn push(&mut self, finding: Finding) {
+        if self.kept.len() < KEPT_FINDINGS {
+            self.kept.push(finding);
+        } else {
+            self.omitted[finding.severity as usize] += 1;
+        }
+    }
+
+    /// Whether later findings will only be counted: their texts need not be good.
+    pub fn is_full(&self) -> bool {
+        self.kept.len() >= KEPT_FINDINGS
+    }
+
+    /// Whether one of them is an error.
+    pub fn has_errors(&self) -> bool {
+        self.omitted[Severity::Error as usize] > 0
+            || self.kept.iter().any(|finding| finding.severity == Severity::Error)
+    }
+
+    /// How many were counted but not kept.
+    pub fn omitted(&self) -> usize {
+        self.omitted.iter().sum()
+    }
+
+    /// Those kept, in the order made.
+    pub fn iter(&self) -> impl Iterator<Item = &Finding> {
+        self.kept.iter()
+    }
+
+    /// Those kept, in file order, errors first at one place.
+    pub fn into_sorted(mut self) -> Vec<Finding> {
+        let first = self.kept.first().map(|finding| finding.place.file.clone());
+        self.kept.sort_by(|a, b| {
+            let own = |finding: &Finding| first.as_ref() != Some(&finding.place.file);
+            (own(a), &a.place.file.name, a.place.start, b.severity).cmp(&(
+                own(b),
+                &b.place.file.name,
+                b.place.start,
+                a.severity,
+            ))
+        });
+        self.kept
+    }
+}

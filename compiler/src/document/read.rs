@@ -1,0 +1,148 @@
+//! Reading a file into a [`Document`].
+
+use std::io::Read;
+use std::path::Path;
+use std::sync::Arc;
+
+use jsonc_parser::ast;
+use jsonc_parser::common::Ranged;
+use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
+
+use crate::diagnostics::{Code, Finding, Place, SourceFile};
+
+use super::prescan::{MAX_FILE_BYTES, prescan};
+use super::syntax;
+use super::{Document, Member, Value, ValueKind};
+
+/// Strict JSON: every leniency of the parser is off.
+const STRICT: ParseOptions = ParseOptions {
+    allow_comments: false,
+    allow_loose_object_property_names: false,
+    allow_trailing_commas: false,
+    allow_missing_commas: false,
+    allow_single_quoted_strings: false,
+    allow_hexadecimal_numbers: false,
+    allow_unary_plus_numbers: false,
+    allow_bare_decimal_point_numbers: false,
+    allow_non_finite_numbers: false,
+    allow_extended_string_escapes: false,
+};
+
+/// Reads a file's bytes; `name` is how findings call the file.
+///
+/// # Errors
+/// One finding: too large, not UTF-8, nested too deeply, or not JSON.
+pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Box<Finding>> {
+    if bytes.len() > MAX_FILE_BYTES {
+        return Err(too_large(name, bytes.len() as u64));
+    }
+    let text = match std::str::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) => return Err(not_utf8(name, bytes, error.valid_up_to())),
+    };
+    let file = Arc::new(SourceFile::new(name, text));
+    let text = file.text.as_str();
+    let irregular = prescan(text);
+    if let Some((at, irregularity)) = irregular
+        && irregularity == super::prescan::Irregularity::TooDeep
+    {
+        return Err(syntax::irregular(&file, at, irregularity));
+    }
+    let parsed = parse_to_ast(text, &CollectOptions::default(), &STRICT);
+    // Whatever comes first in the file is the mistake; the rest may only follow from it.
+    match (parsed, irregular) {
+        (Err(error), Some((at, _))) if error.range().start < at => {
+            Err(syntax::unparsable(&file, &error))
+        }
+        (_, Some((at, irregularity))) => Err(syntax::irregular(&file, at, irregularity)),
+        (Err(error), None) => Err(syntax::unparsable(&file, &error)),
+        (Ok(parsed), None) => match parsed.value {
+            Some(value) => {
+                let root = convert(value);
+                Ok(Document { file: file.clone(), root })
+            }
+            None => Err(syntax::empty(&file)),
+        },
+    }
+}
+
+/// Reads a file from disk.
+///
+/// # Errors
+/// One finding: unreadable, or what [`read`] finds.
+pub fn read_file(path: &Path) -> Result<Document, Box<Finding>> {
+    let name = path.display().to_string();
+    let unreadable = |error: std::io::Error| unreadable(&name, &error);
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    let metadata = file.metadata().map_err(unreadable)?;
+    if metadata.is_dir() {
+        return Err(unreadable(std::io::Error::from(std::io::ErrorKind::IsADirectory)));
+    }
+    if metadata.len() > MAX_FILE_BYTES as u64 {
+        return Err(too_large(&name, metadata.len()));
+    }
+    // Metadata says nothing of pipes and devices: never take more than the limit.
+    let mut bytes = Vec::new();
+    file.take(MAX_FILE_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    read(&name, &bytes)
+}
+
+fn convert(value: ast::Value<'_>) -> Value {
+    let range = value.range();
+    let kind = match value {
+        ast::Value::NullKeyword(_) => ValueKind::Null,
+        ast::Value::BooleanLit(literal) => ValueKind::Boolean(literal.value),
+        ast::Value::NumberLit(literal) => ValueKind::Number(literal.value.to_owned()),
+        ast::Value::StringLit(literal) => ValueKind::String(literal.value.into_owned()),
+        ast::Value::Array(array) => {
+            ValueKind::Array(array.elements.into_iter().map(convert).collect())
+        }
+        ast::Value::Object(object) => {
+            ValueKind::Object(object.properties.into_iter().map(member).collect())
+        }
+    };
+    Value { start: range.start, end: range.end, kind }
+}
+
+fn member(property: ast::ObjectProp<'_>) -> Member {
+    let range = property.name.range();
+    let key = match property.name {
+        ast::ObjectPropName::String(name) => name.value.into_owned(),
+        ast::ObjectPropName::Word(name) => name.value.to_owned(),
+    };
+    Member { key, key_start: range.start, key_end: range.end, value: convert(property.value) }
+}
+
+fn in_empty_file(name: &str) -> Place {
+    let file = Arc::new(SourceFile::new(name, ""));
+    Place { file, start: 0, end: 0, path: String::new() }
+}
+
+fn too_large(name: &str, bytes: u64) -> Box<Finding> {
+    Box::new(Finding::new(
+        Code::FILE_TOO_LARGE,
+        in_empty_file(name),
+        format!("the file has {bytes} bytes; at most {MAX_FILE_BYTES} are read"),
+        "split it into phenomena that use one another",
+    ))
+}
+
+fn unreadable(name: &str, error: &std::io::Error) -> Box<Finding> {
+    Box::new(Finding::new(
+        Code::UNREADABLE_FILE,
+        in_empty_file(name),
+        format!("cannot read `{name}`: {error}"),
+        "check the path and its permissions",
+    ))
+}
+
+fn not_utf8(name: &str, bytes: &[u8], at: usize) -> Box<Finding> {
+    // The excerpt shows what can be shown; the place stays right, because all before it is valid.
+    let file = Arc::new(SourceFile::new(name, String::from_utf8_lossy(bytes)));
+    let place = Place { file, start: at, end: at + 1, path: String::new() };
+    let message = match bytes {
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "the file is UTF-16, not UTF-8".into(),
+        _ => format!("the byte 0x{:02x} is not valid UTF-8 here", bytes[at]),
+    };
+    Box::new(Finding::new(Code::NOT_UTF8, place, message, "save the file as UTF-8"))
+}

@@ -1,0 +1,366 @@
+//! Typed reading of documents: objects with known keys, numbers in range, choices. Every mistake
+//! becomes a finding, and reading goes on.
+
+use std::collections::HashMap;
+use std::ops::RangeInclusive;
+
+use crate::diagnostics::{Code, Finding, Findings};
+
+use super::{Document, Member, Value, ValueKind, nearest};
+
+/// Reads values of a document and collects findings.
+#[derive(Debug)]
+pub struct Reader<'d> {
+    /// The document.
+    pub document: &'d Document,
+    /// What was found so far.
+    pub findings: Findings,
+}
+
+/// An object whose keys are known.
+#[derive(Clone, Debug)]
+pub struct Object<'d> {
+    /// The object.
+    pub value: &'d Value,
+    /// What it is, for messages: "the camera", "node `shade`".
+    pub what: String,
+}
+
+impl<'d> Object<'d> {
+    /// An object whose keys are looked at later, or a finding.
+    pub fn unchecked(reader: &mut Reader<'d>, value: &'d Value, what: &str) -> Option<Self> {
+        if matches!(value.kind, ValueKind::Object(_)) {
+            return Some(Self { value, what: what.to_owned() });
+        }
+        reader.wrong_kind(value, what, "an object");
+        None
+    }
+
+    /// The value of a key; the first where there are several.
+    pub fn optional(&self, key: &str) -> Option<&'d Value> {
+        self.value.get(key)
+    }
+
+    /// The value of a key, or a finding that it is missing.
+    pub fn required(&self, reader: &mut Reader<'d>, key: &str) -> Option<&'d Value> {
+        let value = self.value.get(key);
+        if value.is_none() {
+            reader.missing(self.value, &self.what, key);
+        }
+        value
+    }
+}
+
+impl<'d> Reader<'d> {
+    /// A reader of `document` that has already reported its duplicate keys.
+    pub fn new(document: &'d Document) -> Self {
+        let mut reader = Self { document, findings: Findings::default() };
+        reader.duplicates(&document.root);
+        reader
+    }
+
+    /// Reports a mistake at a value.
+    pub fn report(
+        &mut self,
+        code: Code,
+        value: &Value,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        let finding = Finding::new(code, self.document.place(value), message, help);
+        self.findings.push(finding);
+    }
+
+    /// Reports a mistake at a key.
+    pub fn report_key(
+        &mut self,
+        code: Code,
+        member: &Member,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        let finding = Finding::new(code, self.document.place_of_key(member), message, help);
+        self.findings.push(finding);
+    }
+
+    /// Reports a value of the wrong kind; `expected` has its article: "an object".
+    pub fn wrong_kind(&mut self, value: &Value, what: &str, expected: &str) {
+        let message = format!("{what} must be {expected}, not {}", value.describe());
+        self.report(Code::WRONG_KIND, value, message, format!("write {expected} here"));
+    }
+
+    /// Reports that an object lacks a key.
+    pub fn missing(&mut self, value: &Value, what: &str, key: &str) {
+        // The opening bracket is place enough: the object may be the whole file.
+        let place = self.document.place_of_bytes(value.start, value.start + 1);
+        self.findings.push(Finding::new(
+            Code::MISSING_KEY,
+            place,
+            format!("{what} lacks the key `{key}`"),
+            format!("add `\"{key}\": …`"),
+        ));
+    }
+
+    /// An object, or a finding; each member not in `keys` is a finding, with the nearest key.
+    pub fn object(&mut self, value: &'d Value, what: &str, keys: &[&str]) -> Option<Object<'d>> {
+        for member in self.members(value, what)? {
+            if !keys.contains(&member.key.as_str()) {
+                self.unknown_key(member, what, keys);
+            }
+        }
+        Some(Object { value, what: what.to_owned() })
+    }
+
+    /// The members of an object with free keys, each key once; or a finding.
+    pub fn members(
+        &mut self,
+        value: &'d Value,
+        what: &str,
+    ) -> Option<impl Iterator<Item = &'d Member> + use<'d>> {
+        let ValueKind::Object(members) = &value.kind else {
+            self.wrong_kind(value, what, "an object");
+            return None;
+        };
+        let mut seen = std::collections::HashSet::with_capacity(members.len());
+        Some(members.iter().filter(move |member| seen.insert(member.key.as_str())))
+    }
+
+    /// Reports a key that is not one of `keys`.
+    pub fn unknown_key(&mut self, member: &Member, what: &str, keys: &[&str]) {
+        let message = format!("{what} has no key `{}`", member.key);
+        let near = nearest(&member.key, keys.iter().copied());
+        let help = match near {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("its keys are {}", listed(keys.iter().copied())),
+        };
+        let mut finding =
+            Finding::new(Code::UNKNOWN_KEY, self.document.place_of_key(member), message, help);
+        finding.fix = near.map(|near| format!("{near:?}"));
+        self.findings.push(finding);
+    }
+
+    /// A string, or a finding.
+    pub fn string(&mut self, value: &'d Value, what: &str) -> Option<&'d str> {
+        match &value.kind {
+            ValueKind::String(text) => Some(text),
+            _ => {
+                self.wrong_kind(value, what, "a string");
+                None
+            }
+        }
+    }
+
+    /// True or false, or a finding.
+    pub fn boolean(&mut self, value: &'d Value, what: &str) -> Option<bool> {
+        match value.kind {
+            ValueKind::Boolean(value) => Some(value),
+            _ => {
+                self.wrong_kind(value, what, "true or false");
+                None
+            }
+        }
+    }
+
+    /// The elements of a list, or a finding.
+    pub fn list(&mut self, value: &'d Value, what: &str) -> Option<&'d [Value]> {
+        match &value.kind {
+            ValueKind::Array(elements) => Some(elements),
+            _ => {
+                self.wrong_kind(value, what, "a list");
+                None
+            }
+        }
+    }
+
+    /// A number that is finite in 32 bits, or a finding.
+    pub fn finite(&mut self, value: &'d Value, what: &str) -> Option<f64> {
+        let ValueKind::Number(text) = &value.kind else {
+            self.wrong_kind(value, what, "a number");
+            return None;
+        };
+        match text.parse::<f64>() {
+            Ok(number) if (number as f32).is_finite() => Some(number),
+            _ => {
+                let message = format!("{what} is not finite in 32 bits");
+                self.report(Code::NOT_FINITE, value, message, "the largest scalar is 3.4028235e38");
+                None
+            }
+        }
+    }
+
+    /// A finite number within `range`, or a finding.
+    pub fn number(
+        &mut self,
+        value: &'d Value,
+        what: &str,
+        range: RangeInclusive<f64>,
+    ) -> Option<f64> {
+        let number = self.finite(value, what)?;
+        if range.contains(&number) {
+            return Some(number);
+        }
+        self.out_of_range(value, what, &range);
+        None
+    }
+
+    /// A whole number within `range`, or a finding. `2.0` and `1e3` are whole.
+    pub fn integer(
+        &mut self,
+        value: &'d Value,
+        what: &str,
+        range: RangeInclusive<i64>,
+    ) -> Option<i64> {
+        let number = self.finite(value, what)?;
+        if number.fract() != 0.0 {
+            self.wrong_kind(value, what, "a whole number");
+            return None;
+        }
+        // Exact below 2^53; past it the number is outside of any range in use.
+        let whole = number as i64;
+        if range.contains(&whole) {
+            return Some(whole);
+        }
+        self.out_of_range(value, what, &(*range.start() as f64..=*range.end() as f64));
+        None
+    }
+
+    fn out_of_range(&mut self, value: &Value, what: &str, range: &RangeInclusive<f64>) {
+        let message = format!("{what} is {}, outside {}", value.describe(), shown(range));
+        self.report(
+            Code::NUMBER_OUT_OF_RANGE,
+            value,
+            message,
+            format!("give a number in {}", shown(range)),
+        );
+    }
+
+    /// A list of exactly `N` numbers within `range`, or a finding.
+    pub fn numbers<const N: usize>(
+        &mut self,
+        value: &'d Value,
+        what: &str,
+        range: RangeInclusive<f64>,
+    ) -> Option<[f64; N]> {
+        let elements = match &value.kind {
+            ValueKind::Array(elements) if elements.len() == N => elements,
+            _ => {
+                self.wrong_kind(value, what, &format!("a list of {N} numbers"));
+                return None;
+            }
+        };
+        let mut numbers = [0.0; N];
+        let mut complete = true;
+        for (number, element) in numbers.iter_mut().zip(elements) {
+            match self.number(element, what, range.clone()) {
+                Some(value) => *number = value,
+                None => complete = false,
+            }
+        }
+        complete.then_some(numbers)
+    }
+
+    /// One of a few words, or a finding with the nearest.
+    pub fn choice<T: Copy>(
+        &mut self,
+        value: &'d Value,
+        what: &str,
+        choices: &[(&str, T)],
+    ) -> Option<T> {
+        let text = self.string(value, what)?;
+        if let Some((_, choice)) = choices.iter().find(|(name, _)| *name == text) {
+            return Some(*choice);
+        }
+        let names = || choices.iter().map(|(name, _)| *name);
+        let near = nearest(text, names());
+        let help = match near {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("write one of {}", listed(names())),
+        };
+        let mut finding = Finding::new(
+            Code::UNKNOWN_CHOICE,
+            self.document.place(value),
+            format!("{what} cannot be `{text}`"),
+            help,
+        );
+        finding.fix = near.map(|near| format!("{near:?}"));
+        self.findings.push(finding);
+        None
+    }
+
+    /// Reports every key that stands more than once in one object. The nesting is bounded by
+    /// [`super::MAX_DEPTH`], and so is this recursion.
+    fn duplicates(&mut self, value: &'d Value) {
+        match &value.kind {
+            ValueKind::Array(elements) => {
+                elements.iter().for_each(|element| self.duplicates(element))
+            }
+            ValueKind::Object(members) => {
+                let mut seen: HashMap<&str, (&Member, usize)> =
+                    HashMap::with_capacity(members.len());
+                let mut repeated: Vec<&Member> = Vec::new();
+                for member in members {
+                    let entry = seen.entry(&member.key).or_insert((member, 0));
+                    entry.1 += 1;
+                    if entry.1 == 2 {
+                        repeated.push(member);
+                    }
+                    // What stands under a repeated key is ignored, so it is not searched.
+                    if entry.1 == 1 {
+                        self.duplicates(&member.value);
+                    }
+                }
+                for second in repeated {
+                    let (first, count) = seen[second.key.as_str()];
+                    self.duplicate(first, second, count);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn duplicate(&mut self, first: &Member, second: &Member, count: usize) {
+        let times = if count == 2 { "twice".into() } else { format!("{count} times") };
+        let finding = Finding::new(
+            Code::DUPLICATE_KEY,
+            self.document.place_of_key(second),
+            format!("the key `{}` stands {times} in one object", shortened(&second.key)),
+            "rename or remove all but one",
+        )
+        .with_related(self.document.place_of_key(first), "first given here");
+        self.findings.push(finding);
+    }
+}
+
+/// Names between backticks, at most a dozen.
+pub(crate) fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+    let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
+    match names.as_slice() {
+        [] => "none".into(),
+        [one] => one.clone(),
+        names if names.len() <= 12 => {
+            let (last, rest) = names.split_last().expect("not empty");
+            format!("{} and {last}", rest.join(", "))
+        }
+        names => format!("{} and {} more", names[..12].join(", "), names.len() - 12),
+    }
+}
+
+/// A range as text.
+pub(crate) fn shown(range: &RangeInclusive<f64>) -> String {
+    let (low, high) = (*range.start(), *range.end());
+    match (low <= -f64::from(f32::MAX), high >= f64::from(f32::MAX)) {
+        (true, true) => "the finite numbers".into(),
+        (false, true) if low == f64::from(f32::MIN_POSITIVE) => "the numbers above 0".into(),
+        (false, true) => format!("{low} and above"),
+        (true, false) => format!("{high} and below"),
+        (false, false) => format!("{low} to {high}"),
+    }
+}
+
+/// A name, cut where it is too long for a message.
+pub(crate) fn shortened(name: &str) -> String {
+    match name.char_indices().nth(64) {
+        Some((at, _)) => format!("{}…", &name[..at]),
+        None => name.to_owned(),
+    }
+}

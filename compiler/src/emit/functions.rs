@@ -1,1 +1,0 @@
-//! Transcendental functions of the standard tier, composed of [`super::Real`] operations.

@@ -1,0 +1,86 @@
+//! Functions that take any numbers and give finite ones: what node bodies call.
+//!
+//! The conventions stand in one table in `docs/numerics.md`; `tests/conventions.rs` holds each.
+
+use super::{limited, ln, log2, power};
+use crate::emit::{Int, Mask, Real};
+
+/// NaN becomes 0, an infinity the largest number of its sign.
+#[inline(always)]
+pub fn clamp_finite<R: Real>(x: R) -> R {
+    let largest = f64::from(f32::MAX);
+    limited(x.equal(x).select(x, x.same(0.0)), -largest, largest)
+}
+
+/// Square root, and 0 below zero and for NaN.
+#[inline(always)]
+pub fn sqrt_or_zero<R: Real>(x: R) -> R {
+    x.maximum(x.same(0.0)).sqrt()
+}
+
+/// Natural logarithm, and 0 for what has none: zero, negative numbers, NaN.
+#[inline(always)]
+pub fn ln_or_zero<R: Real>(x: R) -> R {
+    x.greater(x.same(0.0)).select(ln(x), x.same(0.0))
+}
+
+/// Logarithm to base 2, and 0 for what has none: zero, negative numbers, NaN.
+#[inline(always)]
+pub fn log2_or_zero<R: Real>(x: R) -> R {
+    x.greater(x.same(0.0)).select(log2(x), x.same(0.0))
+}
+
+/// `x^y`; `x^0` is 1, also for x = 0; 0 for zero to a negative power and for a negative x to a
+/// power that is not whole; the largest number where it overflows. NaN gives 0, save for y = 0.
+#[inline(always)]
+pub fn pow_or_zero<R: Real>(x: R, y: R) -> R {
+    let zero = x.same(0.0);
+    let power = clamp_finite(power::pow(x, y));
+    // Zero to a negative power is infinite without this.
+    let vanishes = x.equal(zero) & y.not_equal(zero);
+    vanishes.select(zero, power)
+}
+
+/// Arc sine of `x` clamped to -1..=1; NaN counts as -1.
+#[inline(always)]
+pub fn asin_clamped<R: Real>(x: R) -> R {
+    super::asin(x.clamp_to(x.same(-1.0), x.same(1.0)))
+}
+
+/// Arc cosine of `x` clamped to -1..=1; NaN counts as -1.
+#[inline(always)]
+pub fn acos_clamped<R: Real>(x: R) -> R {
+    super::acos(x.clamp_to(x.same(-1.0), x.same(1.0)))
+}
+
+/// The angle of the point (x, y), in -pi..=pi; 0 for the origin whatever the signs of its zeros.
+#[inline(always)]
+pub fn atan2_or_zero<R: Real>(y: R, x: R) -> R {
+    let zero = x.same(0.0);
+    (x.equal(zero) & y.equal(zero)).select(zero, super::atan2(y, x))
+}
+
+/// Floored modulo `x - d floor(x / d)`: in `0..d`, or `d..0` for a negative divisor, and so of the
+/// divisor's sign. 0 where the divisor is zero, where the quotient is beyond what numbers resolve,
+/// and where the result would round to the divisor.
+#[inline(always)]
+pub fn modulo_or_zero<R: Real>(x: R, divisor: R) -> R {
+    let zero = x.same(0.0);
+    let size = divisor.absolute();
+    let sign = super::sign_bit(divisor);
+    // Mirrored so that the divisor is positive.
+    let x = super::flipped(x, sign);
+    let rest = (x / size).floor().mul_add(-size, x);
+    // The rounded quotient may be off by one.
+    let rest = rest.less(zero).select(rest + size, rest);
+    let rest = rest.greater_equal(size).select(rest - size, rest);
+    let inside = rest.greater_equal(zero) & rest.less(size);
+    inside.select(super::flipped(rest, sign), zero)
+}
+
+/// Integer quotient rounded down, and 0 where the divisor is zero. Exact for |n| up to 2^24.
+#[inline(always)]
+pub fn int_divide_or_zero<I: Int>(n: I, divisor: I) -> I {
+    let quotient = (n.to_real() / divisor.to_real()).floor().to_int();
+    divisor.equal(divisor.same(0)).select(divisor.same(0), quotient)
+}

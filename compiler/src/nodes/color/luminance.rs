@@ -1,0 +1,37 @@
+use crate::emit::{Emit, Real};
+use crate::nodes::BLACK;
+use crate::nodes::finite::SUMMAND;
+
+node! {
+    /// Relative luminance of a scene-linear Rec. 709 colour: `0.2126 r + 0.7152 g + 0.0722 b`.
+    luminance in color,
+    source "ITU-R BT.709",
+    inputs {
+        /// The colour.
+        color: color = BLACK, in SUMMAND;
+    }
+    outputs {
+        /// Its luminance.
+        result: scalar;
+    }
+}
+
+#[inline(always)]
+fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
+    let (red, green) = (e.real(0.2126), e.real(0.7152));
+    Outputs { result: i.color.r.mul_add(red, i.color.g.mul_add(green, i.color.b * 0.0722)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::nodes::harness::assert_close;
+
+    #[test]
+    fn weighs_the_primaries() {
+        assert_close(&numbers!(color = [1.0, 0.0, 0.0, 1.0] => result), &[0.2126], 1e-7, 0.0);
+        assert_close(&numbers!(color = [0.0, 1.0, 0.0, 1.0] => result), &[0.7152], 1e-7, 0.0);
+        assert_close(&numbers!(color = [0.0, 0.0, 1.0, 0.0] => result), &[0.0722], 1e-7, 0.0);
+        assert_close(&numbers!(color = [2.0, 2.0, 2.0, 0.0] => result), &[2.0], 2e-7, 0.0);
+        assert_eq!(number!(color = [0.0, 0.0, 0.0, 1.0] => result), 0.0);
+    }
+}

@@ -1,0 +1,154 @@
+//! What the tests of nodes use: a body evaluated for one point, inputs by name.
+
+use super::{Default, Definition, Literal, Overload, Type};
+use crate::state::State;
+
+impl From<f32> for Literal {
+    fn from(value: f32) -> Self {
+        Literal::Scalar(value)
+    }
+}
+impl From<i32> for Literal {
+    fn from(value: i32) -> Self {
+        Literal::Integer(value)
+    }
+}
+impl From<bool> for Literal {
+    fn from(value: bool) -> Self {
+        Literal::Boolean(value)
+    }
+}
+impl From<[f32; 3]> for Literal {
+    fn from(value: [f32; 3]) -> Self {
+        Literal::Vector(value)
+    }
+}
+impl From<[f32; 4]> for Literal {
+    fn from(value: [f32; 4]) -> Self {
+        Literal::Color(value)
+    }
+}
+
+/// The numbers of an output: `numbers!(a = 1.0, b = 2.0 => result)`. Inputs that are not given have
+/// their defaults, over the default state.
+macro_rules! numbers {
+    ($($input:ident = $value:expr),* => $output:ident) => {
+        $crate::nodes::harness::numbers(
+            &super::definition(),
+            &[$((stringify!($input), $crate::nodes::Literal::from($value))),*],
+            stringify!($output),
+        )
+    };
+}
+
+/// The one number of an output; see `numbers!`.
+macro_rules! number {
+    ($($input:ident = $value:expr),* => $output:ident) => {
+        numbers!($($input = $value),* => $output)[0]
+    };
+}
+
+/// The truth of an output; see `numbers!`.
+macro_rules! truth {
+    ($($input:ident = $value:expr),* => $output:ident) => {
+        number!($($input = $value),* => $output).to_bits() != 0
+    };
+}
+
+/// Whether an input is demanded; see `numbers!`.
+macro_rules! demanded {
+    ($($input:ident = $value:expr),* => $guarded:ident) => {
+        $crate::nodes::harness::demanded(
+            &super::definition(),
+            &[$((stringify!($input), $crate::nodes::Literal::from($value))),*],
+            stringify!($guarded),
+        )
+    };
+}
+
+/// Words of an output as numbers, the overload chosen by the first generic input given.
+pub fn numbers(definition: &Definition, given: &[(&str, Literal)], output: &str) -> Vec<f32> {
+    let signature = &definition.signature;
+    let overload = overload(definition, given);
+    let inputs = words(definition, overload, given);
+    let code = overload.code.expect("the node has a body");
+    let mut outputs = vec![0; code.outputs];
+    (code.scalar)(&inputs, &mut outputs);
+    let mut portable = vec![0; code.outputs];
+    (code.scalar_portable)(&inputs, &mut portable);
+    assert_eq!(outputs, portable, "native and portable forms differ");
+    let at = signature.output(output).expect("the node has this output");
+    let width = |at: usize| settled(signature.outputs[at].value_type, overload).width();
+    let start: usize = (0..at).map(width).sum();
+    outputs[start..start + width(at)].iter().map(|&word| f32::from_bits(word)).collect()
+}
+
+/// Whether the guard of an input holds.
+pub fn demanded(definition: &Definition, given: &[(&str, Literal)], input: &str) -> bool {
+    let overload = overload(definition, given);
+    let at = definition.signature.input(input).expect("the node has this input");
+    let guard = overload.guards[at].expect("the input is guarded");
+    let mut holds = [0];
+    (guard.scalar)(&words(definition, overload, given), &mut holds);
+    holds[0] != 0
+}
+
+/// Within `relative` of what is expected, or within `absolute`.
+#[track_caller]
+pub fn assert_close(values: &[f32], expected: &[f64], relative: f64, absolute: f64) {
+    assert_eq!(values.len(), expected.len());
+    for (&value, &expected) in values.iter().zip(expected) {
+        let error = (f64::from(value) - expected).abs();
+        assert!(
+            error <= relative * expected.abs() || error <= absolute,
+            "{value:e} for {expected:e}, off by {error:e}"
+        );
+    }
+}
+
+/// The type with [`Type::Generic`] replaced.
+pub fn settled(value_type: Type, overload: &Overload) -> Type {
+    match value_type {
+        Type::Generic => overload.generic.expect("a generic input has a generic overload"),
+        known => known,
+    }
+}
+
+fn overload<'a>(definition: &'a Definition, given: &[(&str, Literal)]) -> &'a Overload {
+    let signature = &definition.signature;
+    let generic = given.iter().find_map(|(name, literal)| {
+        let input = &signature.inputs[signature.input(name).expect("the node has this input")];
+        (input.value_type == Type::Generic).then(|| literal.value_type())
+    });
+    definition
+        .overloads
+        .iter()
+        .find(|overload| generic.is_none() || overload.generic == generic)
+        .expect("the node takes this type")
+}
+
+fn words(definition: &Definition, overload: &Overload, given: &[(&str, Literal)]) -> Vec<u32> {
+    let mut words = Vec::new();
+    for input in &definition.signature.inputs {
+        let value_type = settled(input.value_type, overload);
+        let literal = given.iter().find(|(name, _)| *name == input.name).map(|(_, value)| value);
+        if let Some(literal) = literal {
+            assert_eq!(literal.value_type(), value_type, "type of `{}`", input.name);
+            words.extend(literal.words());
+            continue;
+        }
+        match &input.default {
+            Default::Literal(Literal::Scalar(value)) => {
+                words.extend(std::iter::repeat_n(value.to_bits(), value_type.width()));
+            }
+            Default::Literal(literal) => words.extend(literal.words()),
+            Default::State(field) => {
+                words.extend(&field.read(&State::default())[..value_type.width()]);
+            }
+            Default::Required | Default::Node(_) => {
+                words.extend(std::iter::repeat_n(0, value_type.width()));
+            }
+        }
+    }
+    words
+}

@@ -1,0 +1,38 @@
+use crate::emit::Emit;
+
+node! {
+    /// Whether both hold. `b` is evaluated only where `a` holds.
+    and in logic,
+    source "",
+    inputs {
+        /// First condition.
+        a: boolean = true;
+        /// Second condition; evaluated only where the first does not decide.
+        b: boolean = true, when undecided;
+    }
+    outputs {
+        /// Whether it holds.
+        result: boolean;
+    }
+}
+
+#[inline(always)]
+fn undecided<E: Emit>(_: E, i: &Inputs<E>) -> E::Mask {
+    i.a
+}
+
+#[inline(always)]
+fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
+    Outputs { result: i.a & i.b }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn truth_table() {
+        for (a, b) in [(false, false), (false, true), (true, false), (true, true)] {
+            assert_eq!(truth!(a = a, b = b => result), a && b);
+            assert_eq!(demanded!(a = a, b = b => b), a);
+        }
+    }
+}

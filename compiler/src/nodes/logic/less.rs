@@ -1,0 +1,40 @@
+use crate::emit::{Emit, Real};
+
+node! {
+    /// Whether `a < b`; false where either is NaN. -0 equals 0.
+    less in logic,
+    source "",
+    inputs {
+        /// Left number.
+        a: scalar = 0.0;
+        /// Right number.
+        b: scalar = 0.0;
+    }
+    outputs {
+        /// Whether it holds.
+        result: boolean;
+    }
+}
+
+#[inline(always)]
+fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
+    Outputs { result: i.a.less(i.b) }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn orders_hard_numbers() {
+        for (a, b, holds) in [
+            (1.0, 1.0_f32.next_up(), true),
+            (1.0, 1.0, false),
+            (-0.0, 0.0, false),
+            (-1e-45, 0.0, true),
+            (f32::NAN, 1.0, false),
+            (1.0, f32::NAN, false),
+            (f32::NEG_INFINITY, f32::INFINITY, true),
+        ] {
+            assert_eq!(truth!(a = a, b = b => result), holds, "{a:e} and {b:e}");
+        }
+    }
+}

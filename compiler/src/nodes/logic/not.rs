@@ -1,0 +1,29 @@
+use crate::emit::Emit;
+
+node! {
+    /// Whether the condition does not hold.
+    not in logic,
+    source "",
+    inputs {
+        /// The condition.
+        input: boolean = false;
+    }
+    outputs {
+        /// Its opposite.
+        result: boolean;
+    }
+}
+
+#[inline(always)]
+fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
+    Outputs { result: !i.input }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn truth_table() {
+        assert!(truth!(input = false => result));
+        assert!(!truth!(input = true => result));
+    }
+}

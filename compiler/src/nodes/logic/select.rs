@@ -1,0 +1,54 @@
+use crate::emit::{Components, Emit, Mask};
+
+node! {
+    /// One of two values; only the one chosen is evaluated, and it passes unchanged to the bit.
+    select in logic generic,
+    source "",
+    inputs {
+        /// What decides.
+        condition: boolean = false;
+        /// The value where it holds.
+        if_true: generic = 1.0, when holds;
+        /// The value where it does not.
+        if_false: generic = 0.0, when fails;
+    }
+    outputs {
+        /// The value chosen, with its alpha.
+        result: generic;
+    }
+}
+
+#[inline(always)]
+fn holds<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> E::Mask {
+    i.condition
+}
+
+#[inline(always)]
+fn fails<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> E::Mask {
+    !i.condition
+}
+
+#[inline(always)]
+fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
+    Outputs { result: i.condition.select(i.if_true, i.if_false) }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn passes_one_side_to_the_bit() {
+        let (a, b) = ([-0.0, 1e-45, 2.0, 0.5], [f32::NAN; 4]);
+        let chosen = numbers!(condition = true, if_true = a, if_false = b => result);
+        assert_eq!(chosen.iter().map(|x| x.to_bits()).collect::<Vec<_>>(), a.map(f32::to_bits));
+        assert_eq!(numbers!(condition = false, if_true = b, if_false = a => result), a);
+        assert_eq!(number!(condition = true, if_true = 3.0 => result), 3.0);
+    }
+
+    #[test]
+    fn demands_one_side() {
+        for condition in [false, true] {
+            assert_eq!(demanded!(condition = condition => if_true), condition);
+            assert_eq!(demanded!(condition = condition => if_false), !condition);
+        }
+    }
+}

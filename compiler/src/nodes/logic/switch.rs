@@ -1,0 +1,78 @@
+use crate::emit::{Components, Emit, Int, Mask};
+
+node! {
+    /// One of four values by number; only the one chosen is evaluated, and it passes unchanged to the
+    /// bit. A number outside 0..3 takes the nearest.
+    switch in logic generic,
+    source "",
+    inputs {
+        /// Which one.
+        index: integer = 0, in 0.0..=3.0;
+        /// The value of index 0 and below.
+        case_0: generic = 0.0, when is_0;
+        /// The value of index 1.
+        case_1: generic = 0.0, when is_1;
+        /// The value of index 2.
+        case_2: generic = 0.0, when is_2;
+        /// The value of index 3 and above.
+        case_3: generic = 0.0, when is_3;
+    }
+    outputs {
+        /// The value chosen, with its alpha.
+        result: generic;
+    }
+}
+
+#[inline(always)]
+fn is_0<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
+    i.index.less(e.int(1))
+}
+
+#[inline(always)]
+fn is_1<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
+    i.index.equal(e.int(1))
+}
+
+#[inline(always)]
+fn is_2<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
+    i.index.equal(e.int(2))
+}
+
+#[inline(always)]
+fn is_3<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
+    e.int(2).less(i.index)
+}
+
+#[inline(always)]
+fn body<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> Outputs<T> {
+    let from_two = is_3(e, i).select(i.case_3, i.case_2);
+    let from_one = is_1(e, i).select(i.case_1, from_two);
+    Outputs { result: is_0(e, i).select(i.case_0, from_one) }
+}
+
+#[cfg(test)]
+mod tests {
+    fn switch(index: i32) -> f32 {
+        number!(index = index, case_0 = 10.0, case_1 = 11.0, case_2 = 12.0, case_3 = 13.0 => result)
+    }
+
+    #[test]
+    fn takes_the_nearest_case() {
+        let chosen = [i32::MIN, -1, 0, 1, 2, 3, 4, i32::MAX].map(switch);
+        assert_eq!(chosen, [10.0, 10.0, 10.0, 11.0, 12.0, 13.0, 13.0, 13.0]);
+    }
+
+    #[test]
+    fn demands_one_case() {
+        for index in [i32::MIN, -1, 0, 1, 2, 3, 4, i32::MAX] {
+            let demands = [
+                demanded!(index = index => case_0),
+                demanded!(index = index => case_1),
+                demanded!(index = index => case_2),
+                demanded!(index = index => case_3),
+            ];
+            let chosen = index.clamp(0, 3) as usize;
+            assert_eq!(demands, std::array::from_fn(|case| case == chosen), "{index}");
+        }
+    }
+}

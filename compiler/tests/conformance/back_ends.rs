@@ -1,0 +1,144 @@
+//! The back ends under test, each as a function from rows of inputs to rows of outputs.
+
+use phenomenon_compiler::engine::jit::JitCode;
+use phenomenon_compiler::engine::lanes::{LANES, Lanes, Placement, Source};
+use phenomenon_compiler::ops::{Segment, dead, fold, split};
+
+use crate::cases::Case;
+use crate::reference;
+
+/// A table of words.
+pub struct Rows {
+    width: usize,
+    words: Vec<u32>,
+}
+
+impl Rows {
+    pub fn new(width: usize) -> Self {
+        Self { width, words: vec![] }
+    }
+
+    pub fn push(&mut self, row: &[u32]) {
+        assert_eq!(row.len(), self.width);
+        self.words.extend_from_slice(row);
+    }
+
+    pub fn count(&self) -> usize {
+        self.words.len() / self.width
+    }
+
+    pub fn row(&self, row: usize) -> &[u32] {
+        &self.words[row * self.width..][..self.width]
+    }
+}
+
+/// Runs a case over rows of inputs.
+pub type Run = fn(&Case, &Rows) -> Rows;
+
+/// Every back end there is on this machine.
+pub fn all() -> impl Iterator<Item = &'static (&'static str, Run)> {
+    let machine_code = if JitCode::available().is_ok() { MACHINE_CODE } else { &[] };
+    ALWAYS.iter().chain(machine_code)
+}
+
+const ALWAYS: &[(&str, Run)] = &[
+    ("scalar", |case, inputs| point_by_point(case.code.scalar, case, inputs)),
+    ("scalar, portable", |case, inputs| point_by_point(case.code.scalar_portable, case, inputs)),
+    ("wide", |case, inputs| blocks(case.code.wide, case, inputs)),
+    ("wide, portable", |case, inputs| blocks(case.code.wide_portable, case, inputs)),
+];
+
+const MACHINE_CODE: &[(&str, Run)] = &[
+    ("machine code", |case, inputs| compiled(case, inputs, |segment| vec![segment])),
+    ("machine code, folded", |case, inputs| {
+        compiled(case, inputs, |segment| vec![dead::remove(&fold::fold(&segment))])
+    }),
+    ("machine code, split", |case, inputs| {
+        let scratch = (inputs.width + case.outputs.len()) as u32;
+        compiled(case, inputs, |segment| split::split(&segment, 7, scratch).parts)
+    }),
+];
+
+fn point_by_point(run: fn(&[u32], &mut [u32]), case: &Case, inputs: &Rows) -> Rows {
+    let mut rows = Rows::new(case.outputs.len());
+    let mut outputs = vec![0; case.outputs.len()];
+    for row in 0..inputs.count() {
+        run(inputs.row(row), &mut outputs);
+        rows.push(&outputs);
+    }
+    rows
+}
+
+/// Slots past inputs and outputs, for values that cross the cuts of a split segment.
+const SCRATCH: usize = 64;
+
+/// Records the case, prepares the segment, compiles it, and runs its parts.
+fn compiled(case: &Case, inputs: &Rows, prepare: impl Fn(Segment) -> Vec<Segment>) -> Rows {
+    let sources: Vec<Source> = (0..inputs.width as u32).map(Source::Slot).collect();
+    let (ops, results) = reference::tape(case);
+    let first = inputs.width as u32;
+    let stores = (first..).zip(results).collect();
+    let parts = prepare(Segment { ops, sources: sources.clone(), stores });
+    let slots = inputs.width + case.outputs.len() + SCRATCH;
+    let code = JitCode::compile(&parts, UNIFORMS, slots).expect("compiles");
+    let run = |file: &mut [Lanes], placement: &Placement<'_>| {
+        (0..parts.len()).for_each(|part| code.run(part, file, placement.blocks));
+    };
+    placed(run, case, inputs, &sources, slots, first)
+}
+
+type Wide = fn(&mut [Lanes], &Placement<'_>);
+
+/// Uniform words no case reads, so that slots do not start at 0.
+const UNIFORMS: usize = 3;
+
+fn blocks(run: Wide, case: &Case, inputs: &Rows) -> Rows {
+    let sources: Vec<Source> = (0..inputs.width as u32).map(Source::Slot).collect();
+    let output = inputs.width as u32;
+    placed(run, case, inputs, &sources, inputs.width + case.outputs.len(), output)
+}
+
+/// Writes the outputs over the inputs.
+pub fn in_place(case: &Case, inputs: &Rows) -> Rows {
+    let sources: Vec<Source> = (0..inputs.width as u32).map(Source::Slot).collect();
+    placed(case.code.wide, case, inputs, &sources, inputs.width, 0)
+}
+
+/// Reads the first input, the same in all rows, from a uniform word.
+pub fn with_uniform(case: &Case, inputs: &Rows) -> Rows {
+    let mut sources: Vec<Source> = (0..inputs.width as u32).map(Source::Slot).collect();
+    sources[0] = Source::Uniform(1);
+    let output = inputs.width as u32;
+    placed(case.code.wide, case, inputs, &sources, inputs.width + case.outputs.len(), output)
+}
+
+fn placed(
+    run: impl Fn(&mut [Lanes], &Placement<'_>),
+    case: &Case,
+    inputs: &Rows,
+    sources: &[Source],
+    slots: usize,
+    output: u32,
+) -> Rows {
+    let blocks = inputs.count().div_ceil(LANES);
+    let placement = Placement { uniforms: UNIFORMS, slots, blocks, sources, output };
+    let mut file = vec![Lanes::default(); UNIFORMS + blocks * slots];
+    for row in 0..inputs.count() {
+        for (word, &bits) in inputs.row(row).iter().enumerate() {
+            let at = placement.input(word, row / LANES);
+            match sources[word] {
+                Source::Uniform(_) => file[at] = Lanes([bits; LANES]),
+                Source::Slot(_) => file[at].0[row % LANES] = bits,
+            }
+        }
+    }
+    run(&mut file, &placement);
+    let mut rows = Rows::new(case.outputs.len());
+    for row in 0..inputs.count() {
+        let words = 0..case.outputs.len();
+        let outputs: Vec<u32> =
+            words.map(|word| file[placement.output(word, row / LANES)].0[row % LANES]).collect();
+        rows.push(&outputs);
+    }
+    rows
+}

@@ -1,0 +1,175 @@
+//! The operations and functions under test, one line each.
+
+use phenomenon_compiler::emit::functions::{self, conventions};
+use phenomenon_compiler::emit::{
+    Components, Emit, Int, Mask, Real, Sink, Words, read_vector, write_vector,
+};
+use phenomenon_compiler::nodes::{Body, Code};
+
+/// What the 32 bits of a word mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Word {
+    Real,
+    Int,
+    Mask,
+}
+
+/// One operation or function, compiled for every back end.
+pub struct Case {
+    /// Name; for a primitive that of its `Op`.
+    pub name: &'static str,
+    /// Whether it is one operation, and so checked against its definition directly.
+    pub primitive: bool,
+    /// The code.
+    pub code: Code,
+    /// Its input words.
+    pub inputs: &'static [Word],
+    /// Its output words.
+    pub outputs: &'static [Word],
+}
+
+macro_rules! case {
+    (@word real) => { &[Word::Real] };
+    (@word int) => { &[Word::Int] };
+    (@word mask) => { &[Word::Mask] };
+    (@word vector) => { &[Word::Real, Word::Real, Word::Real] };
+    (@read $words:ident $at:ident vector) => {{ $at += 3; read_vector::<E>($words, $at - 3) }};
+    (@read $words:ident $at:ident $kind:ident) => {{ $at += 1; $words.$kind($at - 1) }};
+    (@write $sink:ident $value:ident vector) => { write_vector::<E>($sink, 0, $value) };
+    (@write $sink:ident $value:ident $kind:ident) => { $sink.$kind(0, $value) };
+    ($list:ident, $primitive:literal, $name:ident, |$($arg:ident : $kind:ident),+| -> $out:ident $value:expr) => {{
+        struct Tested;
+        impl Body for Tested {
+            const OUTPUTS: usize = { let words: &[Word] = case!(@word $out); words.len() };
+            #[inline(always)]
+            fn run<E: Emit>(_: E, words: &impl Words<E>, sink: &mut impl Sink<E>) {
+                let mut at = 0;
+                $(let $arg = case!(@read words at $kind);)+
+                let _ = at;
+                let value = $value;
+                case!(@write sink value $out);
+            }
+        }
+        const INPUTS: &[&[Word]] = &[$(case!(@word $kind)),+];
+        $list.push(Case {
+            name: stringify!($name),
+            primitive: $primitive,
+            code: Code::of::<Tested>(),
+            inputs: INPUTS.concat().leak(),
+            outputs: case!(@word $out),
+        });
+    }};
+}
+
+macro_rules! cases {
+    ($function:ident, $primitive:literal: $($name:ident |$($arg:ident : $kind:ident),+| -> $out:ident $value:expr;)+) => {
+        fn $function(list: &mut Vec<Case>) {
+            $(case!(list, $primitive, $name, |$($arg : $kind),+| -> $out $value);)+
+        }
+    };
+}
+
+/// All of them.
+pub fn cases() -> Vec<Case> {
+    let mut list = vec![];
+    primitives(&mut list);
+    compositions(&mut list);
+    transcendental(&mut list);
+    guarded(&mut list);
+    list
+}
+
+cases! { primitives, true:
+    Add |a: real, b: real| -> real a + b;
+    Sub |a: real, b: real| -> real a - b;
+    Mul |a: real, b: real| -> real a * b;
+    Div |a: real, b: real| -> real a / b;
+    Neg |a: real| -> real -a;
+    MulAdd |a: real, b: real, c: real| -> real a.mul_add(b, c);
+    Minimum |a: real, b: real| -> real a.minimum(b);
+    Maximum |a: real, b: real| -> real a.maximum(b);
+    Absolute |a: real| -> real a.absolute();
+    Sqrt |a: real| -> real a.sqrt();
+    Floor |a: real| -> real a.floor();
+    Ceil |a: real| -> real a.ceil();
+    Truncate |a: real| -> real a.truncate();
+    RoundEven |a: real| -> real a.round_even();
+    Less |a: real, b: real| -> mask a.less(b);
+    LessEqual |a: real, b: real| -> mask a.less_equal(b);
+    Equal |a: real, b: real| -> mask a.equal(b);
+    NotEqual |a: real, b: real| -> mask a.not_equal(b);
+    ToInt |a: real| -> int a.to_int();
+    IntAdd |a: int, b: int| -> int a + b;
+    IntSub |a: int, b: int| -> int a - b;
+    IntMul |a: int, b: int| -> int a * b;
+    And |a: int, b: int| -> int a & b;
+    Or |a: int, b: int| -> int a | b;
+    Xor |a: int, b: int| -> int a ^ b;
+    And |a: mask, b: mask| -> mask a & b;
+    Or |a: mask, b: mask| -> mask a | b;
+    Xor |a: mask, b: mask| -> mask a ^ b;
+    Not |a: mask| -> mask !a;
+    ShiftLeft |a: int| -> int a.shift_left(5);
+    ShiftLeft |a: int| -> int a.shift_left(31);
+    ShiftRight |a: int| -> int a.shift_right(9);
+    ShiftRight |a: int| -> int a.shift_right(31);
+    ShiftRightSigned |a: int| -> int a.shift_right_signed(3);
+    ShiftRightSigned |a: int| -> int a.shift_right_signed(31);
+    IntEqual |a: int, b: int| -> mask a.equal(b);
+    IntLess |a: int, b: int| -> mask a.less(b);
+    ToReal |a: int| -> real a.to_real();
+    Select |m: mask, a: real, b: real| -> real m.select(a, b);
+    Select |m: mask, a: int, b: int| -> int m.select(a, b);
+    Select |m: mask, a: mask, b: mask| -> mask m.select(a, b);
+}
+
+cases! { compositions, false:
+    add_constant |a: real| -> real (a + 0.1) * 3.0 - 1e-3;
+    same |a: real| -> real a / 0.7 + a.same(16_777_217.0);
+    bits |a: real| -> int a.absolute().to_bits() + a.same(0.0).to_bits().same(1);
+    from_bits |a: int| -> real (a & a.same(0x7f7f_ffff)).from_bits();
+    shift_by_nothing |a: int| -> int a.shift_left(0).shift_right(0).shift_right_signed(0);
+    greater |a: real, b: real| -> mask a.greater(b) ^ a.greater_equal(b);
+    clamp_to |a: real, b: real, c: real| -> real a.clamp_to(b, c);
+    saturate |a: real| -> real a.saturate();
+    divide_or_zero |a: real, b: real| -> real a.divide_or_zero(b);
+    dot |a: vector, b: vector| -> real a.dot(b);
+    cross |a: vector, b: vector| -> vector a.cross(b);
+    length |a: vector| -> real a.length();
+    normalized |a: vector| -> vector a.normalized();
+    vector_minimum |a: vector, b: vector| -> vector Components::minimum(a, b);
+    vector_scaled |a: vector, f: real| -> vector a * f;
+}
+
+cases! { transcendental, false:
+    exp |a: real| -> real functions::exp(a);
+    exp2 |a: real| -> real functions::exp2(a);
+    expm1 |a: real| -> real functions::expm1(a);
+    sinh |a: real| -> real functions::sinh(a);
+    cosh |a: real| -> real functions::cosh(a);
+    tanh |a: real| -> real functions::tanh(a);
+    ln |a: real| -> real functions::ln(a);
+    log2 |a: real| -> real functions::log2(a);
+    log1p |a: real| -> real functions::log1p(a);
+    sin |a: real| -> real functions::sin(a);
+    cos |a: real| -> real functions::cos(a);
+    tan |a: real| -> real functions::tan(a);
+    asin |a: real| -> real functions::asin(a);
+    acos |a: real| -> real functions::acos(a);
+    atan |a: real| -> real functions::atan(a);
+    atan2 |y: real, x: real| -> real functions::atan2(y, x);
+    pow |x: real, y: real| -> real functions::pow(x, y);
+}
+
+cases! { guarded, false:
+    clamp_finite |a: real| -> real conventions::clamp_finite(a);
+    sqrt_or_zero |a: real| -> real conventions::sqrt_or_zero(a);
+    ln_or_zero |a: real| -> real conventions::ln_or_zero(a);
+    log2_or_zero |a: real| -> real conventions::log2_or_zero(a);
+    asin_clamped |a: real| -> real conventions::asin_clamped(a);
+    acos_clamped |a: real| -> real conventions::acos_clamped(a);
+    pow_or_zero |x: real, y: real| -> real conventions::pow_or_zero(x, y);
+    atan2_or_zero |y: real, x: real| -> real conventions::atan2_or_zero(y, x);
+    modulo_or_zero |x: real, d: real| -> real conventions::modulo_or_zero(x, d);
+    int_divide_or_zero |n: int, d: int| -> int conventions::int_divide_or_zero(n, d);
+}

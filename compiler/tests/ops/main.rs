@@ -1,0 +1,8 @@
+//! The operations of pure segments: their passes, and machine code against the interpreter.
+
+mod folding;
+mod machine_code;
+mod printing;
+mod random;
+mod samples;
+mod splitting;
