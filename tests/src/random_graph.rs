@@ -104,6 +104,9 @@ impl<'a> Growing<'a> {
                     value_type,
                     default: random.literal(value_type),
                     range: FINITE,
+                    soft_range: FINITE,
+                    unit: String::new(),
+                    labels: Vec::new(),
                 }
             })
             .collect();
@@ -256,7 +259,14 @@ impl<'a> Growing<'a> {
             moved(&mut root.ok);
         }
         let nodes = nodes.into_iter().flatten().collect();
-        let graph = Graph { name: "random".to_owned(), parameters: self.parameters, nodes, roots };
+        let graph = Graph {
+            name: "random".to_owned(),
+            doc: String::new(),
+            version: 0,
+            parameters: self.parameters,
+            nodes,
+            roots,
+        };
         let values = (0..3).filter_map(|_| random_value(self.random, &graph)).collect();
         (graph, values)
     }
