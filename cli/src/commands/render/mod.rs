@@ -1,6 +1,6 @@
 //! `phenomenon render`.
 
-mod report;
+mod cost;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::film;
 use phenomenon_runtime::render::{Rendered, Settings};
 
-use self::report::Cost;
+use self::cost::Cost;
 use crate::arguments::{self, Assignment, NodePath, Size};
 use crate::failure::{Failure, Outcome};
 use crate::graphs::EngineArguments;
@@ -148,11 +148,11 @@ fn settings(arguments: &Arguments, picture: &Picture) -> Settings {
 
 fn render(picture: &Picture, settings: &Settings, quiet: bool) -> Result<Rendered, Failure> {
     let bar = terminal::progress("tiles", quiet);
-    let rendered =
-        phenomenon_runtime::render::render(&picture.scene, settings, &|done, total| {
-            bar.set_length(total as u64);
-            bar.set_position(done as u64);
-        });
+    let rendered = phenomenon_runtime::render::render(&picture.scene, settings, &|done, total| {
+        bar.set_length(total as u64);
+        bar.set_position(done as u64);
+    });
     bar.finish_and_clear();
-    rendered.map_err(|error| Failure::new(error, "choose other values for --size, --spp or --threads"))
+    rendered
+        .map_err(|error| Failure::new(error, "choose other values for --size, --spp or --threads"))
 }
