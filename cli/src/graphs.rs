@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use clap::Args;
-use phenomenon_compiler::check::read_graph_file;
+use phenomenon_compiler::check::{Checked, read_graph_file};
 use phenomenon_compiler::engine::{Engine, Options, Shader};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::{Literal, NodeLibrary};
@@ -46,7 +46,14 @@ impl EngineArguments {
 /// # Errors
 /// The file cannot be read, or has errors.
 pub fn read(path: &Path, library: &NodeLibrary) -> Result<Graph, Failure> {
-    let checked = read_graph_file(path, library);
+    checked(path, read_graph_file(path, library))
+}
+
+/// The graph that was checked; what was found goes to standard error.
+///
+/// # Errors
+/// There were errors.
+pub fn checked(path: &Path, checked: Checked) -> Result<Graph, Failure> {
     report::tell(&checked.findings, checked.omitted);
     checked.graph.ok_or_else(|| unusable(path))
 }

@@ -6,13 +6,14 @@ mod failure;
 mod graphs;
 mod numbers;
 mod report;
+mod scenes;
 mod terminal;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{check, compare, eval, nodes};
+use crate::commands::{check, compare, eval, nodes, render};
 use crate::failure::{Failure, Outcome};
 
 /// Reads shader graphs, checks them, compiles them and renders pictures with them.
@@ -35,6 +36,7 @@ enum Command {
     Compare(compare::Arguments),
     Eval(eval::Arguments),
     Nodes(nodes::Arguments),
+    Render(render::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -63,5 +65,6 @@ fn run(command: Command) -> Result<Outcome, Failure> {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Nodes(arguments) => nodes::run(&arguments),
+        Command::Render(arguments) => render::run(&arguments),
     }
 }

@@ -10,6 +10,7 @@ use clap::Args;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::film;
 use phenomenon_runtime::render::{Rendered, Settings};
+use phenomenon_runtime::scene::SceneOptions;
 
 use self::cost::Cost;
 use crate::arguments::{self, Assignment, NodePath, Size};
@@ -40,10 +41,9 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = arguments::threads, allow_hyphen_values = true)]
     threads: Option<usize>,
 
-    /// Seed of all random numbers
-    #[arg(long, value_name = "N", default_value = "0", value_parser = arguments::seed,
-          allow_hyphen_values = true)]
-    seed: u64,
+    /// Seed of all random numbers; otherwise as the scene says
+    #[arg(long, value_name = "N", value_parser = arguments::seed, allow_hyphen_values = true)]
+    seed: Option<u64>,
 
     /// Give a parameter of the graph another value than its default; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = arguments::assignment)]
@@ -134,12 +134,13 @@ fn default_output(arguments: &Arguments) -> Result<PathBuf, Failure> {
 }
 
 fn settings(arguments: &Arguments, picture: &Picture) -> Settings {
-    let size = arguments.size.unwrap_or(picture.size);
+    let SceneOptions { width, height, samples, seed, .. } = picture.options;
+    let size = arguments.size.unwrap_or(Size { width, height });
     Settings {
         width: size.width,
         height: size.height,
-        samples: arguments.spp.unwrap_or(picture.samples),
-        seed: arguments.seed,
+        samples: arguments.spp.unwrap_or(samples),
+        seed: arguments.seed.unwrap_or(seed),
         threads: arguments.threads.unwrap_or(0),
         batch: arguments.engine.batch as usize,
         ..Settings::default()
