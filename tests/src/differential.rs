@@ -100,7 +100,8 @@ impl Case {
 
     fn shader(&self, options: Options) -> Result<Shader, String> {
         let (graph, library) = (Arc::clone(&self.graph), Arc::clone(&self.library));
-        Shader::new(graph, library, &self.values, options).map_err(|error| format!("{options:?}: {error}"))
+        Shader::new(graph, library, &self.values, options)
+            .map_err(|error| format!("{options:?}: {error}"))
     }
 
     /// Whether the graph specialises to a size that can be run.

@@ -1,6 +1,7 @@
 //! What the conformance tests share: random graphs and states, a renderer that answers a hash of each
 //! request, an evaluator that follows the definition word for word, and the comparison of engines.
 
+pub mod build;
 pub mod differential;
 pub mod mock;
 pub mod naive;

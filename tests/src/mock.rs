@@ -15,9 +15,16 @@ pub type Record = Vec<u32>;
 pub struct MockRenderer {
     /// Requests so far; light samples, which cost nothing, aside.
     pub log: Vec<Record>,
+    /// If given, the lights of every list, the same for all points.
+    pub lights: Option<Vec<LightSample>>,
 }
 
 impl MockRenderer {
+    /// With these lights in every list.
+    pub fn with_lights(lights: Vec<LightSample>) -> Self {
+        Self { log: Vec::new(), lights: Some(lights) }
+    }
+
     /// The log in an order that does not depend on who asked first.
     pub fn sorted_log(mut self) -> Vec<Record> {
         self.log.sort_unstable();
@@ -72,8 +79,9 @@ impl Renderer for MockRenderer {
         assert!(!rays.is_empty(), "a request without rays");
         for (ray, answer) in rays.iter().zip(answers) {
             let record = record(effect, ray);
-            let mut random =
-                Random::new(hash(record.iter().enumerate().filter(|(at, _)| *at != 1).map(|(_, word)| *word)));
+            let mut random = Random::new(hash(
+                record.iter().enumerate().filter(|(at, _)| *at != 1).map(|(_, word)| *word),
+            ));
             self.log.push(record);
             *answer = Answer {
                 color: [0; 4].map(|_| random.number()),
@@ -89,7 +97,10 @@ impl Renderer for MockRenderer {
     }
 
     fn light_count(&mut self, list: LightList) -> usize {
-        Random::new(u64::from(list.0)).pick(&[0, 1, 2, 2, 3, 4])
+        match &self.lights {
+            Some(lights) => lights.len(),
+            None => Random::new(u64::from(list.0)).pick(&[0, 1, 2, 2, 3, 4]),
+        }
     }
 
     fn light_samples(
@@ -100,6 +111,9 @@ impl Renderer for MockRenderer {
         samples: &mut [LightSample],
     ) {
         assert_eq!(points.len(), samples.len());
+        if let Some(lights) = &self.lights {
+            return samples.fill(lights[iteration]);
+        }
         for (state, sample) in points.iter().zip(samples) {
             let mut random = Random::new(hash(light_words(list, iteration, state)));
             *sample = LightSample {

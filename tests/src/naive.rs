@@ -28,8 +28,15 @@ struct Surroundings {
 enum Inside {
     Point,
     /// The scope's node; its changed fields are computed when first read.
-    Scope { node: usize, fields: Option<Vec<(Field, Vec<u32>)>> },
-    Iteration { list: LightList, number: usize, sample: LightSample },
+    Scope {
+        node: usize,
+        fields: Option<Vec<(Field, Vec<u32>)>>,
+    },
+    Iteration {
+        list: LightList,
+        number: usize,
+        sample: LightSample,
+    },
 }
 
 /// Evaluates roots of a graph.
@@ -166,7 +173,12 @@ fn converted(words: Vec<u32>, from: Type, to: Type) -> Vec<u32> {
 
 impl Evaluation<'_> {
     /// The value of a binding that is not a default.
-    fn given(&mut self, binding: &Binding, to: Type, at: SurroundingsId) -> Result<Vec<u32>, TooLong> {
+    fn given(
+        &mut self,
+        binding: &Binding,
+        to: Type,
+        at: SurroundingsId,
+    ) -> Result<Vec<u32>, TooLong> {
         match binding {
             Binding::Literal(literal) => Ok(converted(literal.words(), literal.value_type(), to)),
             Binding::Parameter(parameter) => {
@@ -178,7 +190,12 @@ impl Evaluation<'_> {
         }
     }
 
-    fn input(&mut self, node: usize, input: usize, at: SurroundingsId) -> Result<Vec<u32>, TooLong> {
+    fn input(
+        &mut self,
+        node: usize,
+        input: usize,
+        at: SurroundingsId,
+    ) -> Result<Vec<u32>, TooLong> {
         let naive = self.naive;
         let of = &naive.nodes[node];
         let declared = &naive.library.signature(of.node_type).inputs[input];
@@ -346,7 +363,12 @@ impl Evaluation<'_> {
         Ok(state)
     }
 
-    fn trace(&mut self, node: usize, effect: Effect, at: SurroundingsId) -> Result<Vec<u32>, TooLong> {
+    fn trace(
+        &mut self,
+        node: usize,
+        effect: Effect,
+        at: SurroundingsId,
+    ) -> Result<Vec<u32>, TooLong> {
         let mut words = Vec::new();
         for input in 0..self.naive.nodes[node].inputs.len() {
             words.extend(self.input(node, input, at)?);

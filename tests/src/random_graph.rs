@@ -94,7 +94,8 @@ pub fn is_of_light(fields: &Fields) -> bool {
 
 impl<'a> Growing<'a> {
     fn new(random: &'a mut Random, library: &'a NodeLibrary) -> Self {
-        let types = [Type::Scalar, Type::Color, Type::Boolean, Type::Integer, Type::Vector, Type::Lights];
+        let types =
+            [Type::Scalar, Type::Color, Type::Boolean, Type::Integer, Type::Vector, Type::Lights];
         let parameters = (0..random.below(6))
             .map(|at| {
                 let value_type = random.pick(&types);
@@ -223,9 +224,9 @@ impl<'a> Growing<'a> {
     }
 
     fn root(&mut self, kind: RootKind) -> Root {
-        let color = self.root_source(Type::Color).unwrap_or_else(|| {
-            Binding::Literal(self.random.literal(Type::Color))
-        });
+        let color = self
+            .root_source(Type::Color)
+            .unwrap_or_else(|| Binding::Literal(self.random.literal(Type::Color)));
         let ok = match self.random.below(10) {
             0 => Binding::Literal(Literal::Boolean(self.random.chance(50))),
             1..=4 => self.root_source(Type::Boolean).unwrap_or(Binding::Default),
@@ -261,8 +262,8 @@ impl<'a> Growing<'a> {
         let nodes = nodes.into_iter().flatten().collect();
         let graph = Graph {
             name: "random".to_owned(),
-            version: 0,
             doc: String::new(),
+            version: 0,
             parameters: self.parameters,
             nodes,
             roots,

@@ -48,9 +48,7 @@ pub fn of_node(
         let below = match (binding, &input.default) {
             (Binding::Node { node, output }, _) => of_output(*node, *output),
             (Binding::Default, Default::State(field)) => [*field].into(),
-            (Binding::Default, Default::Node(name)) => {
-                of_implied(library, name, of_output)
-            }
+            (Binding::Default, Default::Node(name)) => of_implied(library, name, of_output),
             _ => Fields::new(),
         };
         fields.extend(below.into_iter().filter(|field| !input.scoped || !changed.contains(field)));

@@ -52,7 +52,9 @@ fn candidates(case: &Case) -> impl Iterator<Item = Case> {
 fn smaller_graphs(graph: &Graph, library: &NodeLibrary) -> impl Iterator<Item = Graph> {
     let mut smaller = Vec::new();
     if graph.roots.len() > 1 {
-        smaller.extend(graph.roots.iter().map(|root| Graph { roots: vec![root.clone()], ..graph.clone() }));
+        smaller.extend(
+            graph.roots.iter().map(|root| Graph { roots: vec![root.clone()], ..graph.clone() }),
+        );
     }
     for (at, root) in graph.roots.iter().enumerate() {
         let mut with = |root: Root| {
@@ -99,7 +101,12 @@ fn smaller_graphs(graph: &Graph, library: &NodeLibrary) -> impl Iterator<Item = 
             }
         }
     }
-    smaller.into_iter().map(without_unused).filter(|graph| is_valid(graph, library)).collect::<Vec<_>>().into_iter()
+    smaller
+        .into_iter()
+        .map(without_unused)
+        .filter(|graph| is_valid(graph, library))
+        .collect::<Vec<_>>()
+        .into_iter()
 }
 
 fn output_type(graph: &Graph, library: &NodeLibrary, node: usize, output: usize) -> Type {

@@ -30,7 +30,11 @@ fn check(seed: u64, case: &Case) -> Agreement {
             let (small, error) = shrink(case, error);
             let text = graph_text(&small.graph, &small.library);
             let Case { values, points, .. } = small;
-            panic!("seed {seed}: {error}\n{text}values {values:?}\n{} points: {:?}", points.len(), points[0]);
+            panic!(
+                "seed {seed}: {error}\n{text}values {values:?}\n{} points: {:?}",
+                points.len(),
+                points[0]
+            );
         }
     }
 }
