@@ -5,13 +5,15 @@ mod commands;
 mod failure;
 mod graphs;
 mod numbers;
+mod report;
+mod scenes;
 mod terminal;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{compare, eval, nodes};
+use crate::commands::{check, compare, eval, nodes, render};
 use crate::failure::{Failure, Outcome};
 
 /// Reads shader graphs, checks them, compiles them and renders pictures with them.
@@ -30,9 +32,11 @@ Exit codes:
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Check(check::Arguments),
     Compare(compare::Arguments),
     Eval(eval::Arguments),
     Nodes(nodes::Arguments),
+    Render(render::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -47,7 +51,6 @@ fn main() -> ExitCode {
     match run(command_line.command) {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::Found) => ExitCode::from(1),
-        Ok(Outcome::Unreadable) => ExitCode::from(2),
         Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
         Err(failure) => {
             terminal::complain(&failure);
@@ -58,8 +61,10 @@ fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<Outcome, Failure> {
     match command {
+        Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Nodes(arguments) => nodes::run(&arguments),
+        Command::Render(arguments) => render::run(&arguments),
     }
 }
