@@ -84,5 +84,6 @@ pub mod nodes;
 pub mod ops;
 pub mod schedule;
 pub mod schema;
+pub mod show;
 pub mod specialise;
 pub mod state;

@@ -41,7 +41,7 @@ impl NodePath {
         let Some(node) = position(name) else {
             let names = || graph.nodes.iter().map(|node| node.name.as_str());
             let help = match nearest(name, names()) {
-                Some(near) => format!("did you mean `{near}`?"),
+                Some(near) => near.help(),
                 None => format!("its nodes are {}", some_of(names())),
             };
             let message = format!("--node {path}: `{}` has no node `{name}`", graph.name);
@@ -52,7 +52,7 @@ impl NodePath {
         let Some(output) = signature.output(output) else {
             let names = || signature.outputs.iter().map(|output| output.name);
             let help = match nearest(output, names()) {
-                Some(near) => format!("did you mean `{name}.{near}`?"),
+                Some(near) => format!("did you mean `{name}.{}`?", near.name),
                 None => format!("its outputs are {}", some_of(names())),
             };
             let message =

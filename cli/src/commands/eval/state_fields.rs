@@ -75,7 +75,7 @@ fn field(name: &str) -> Result<Field, String> {
     Field::from_name(name).ok_or_else(|| {
         let names = || Field::ALL.iter().filter(|field| !field.is_of_light()).map(|f| f.name());
         match nearest(name, names()) {
-            Some(near) => format!("did you mean `{near}`?"),
+            Some(near) => near.help(),
             None => format!("the fields are {}", names().collect::<Vec<_>>().join(", ")),
         }
     })

@@ -72,7 +72,7 @@ fn subject<'l>(library: &'l NodeLibrary, name: Option<&str>) -> Result<Subject<'
     }
     let names = library.iter().map(|(_, definition)| definition.signature.name);
     let help = match nearest(name, names.chain(GROUPS.iter().map(|(group, _)| *group))) {
-        Some(near) => format!("did you mean `{near}`?"),
+        Some(near) => near.help(),
         None => "`phenomenon nodes` lists all there are".into(),
     };
     Err(Failure::new(format!("there is no node or group `{name}`"), help))
