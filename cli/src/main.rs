@@ -13,7 +13,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{check, compare, eval, nodes, render};
+use crate::commands::{check, compare, eval, explain, fmt, nodes, render, schema};
 use crate::failure::{Failure, Outcome};
 
 /// Reads shader graphs, checks them, compiles them and renders pictures with them.
@@ -35,8 +35,11 @@ enum Command {
     Check(check::Arguments),
     Compare(compare::Arguments),
     Eval(eval::Arguments),
+    Explain(explain::Arguments),
+    Fmt(fmt::Arguments),
     Nodes(nodes::Arguments),
     Render(render::Arguments),
+    Schema(schema::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -64,7 +67,10 @@ fn run(command: Command) -> Result<Outcome, Failure> {
         Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
+        Command::Fmt(arguments) => fmt::run(&arguments),
         Command::Nodes(arguments) => nodes::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments),
     }
 }

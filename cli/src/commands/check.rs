@@ -84,10 +84,11 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let wrong = omitted > 0 || findings.iter().any(|finding| finding.severity == Severity::Error);
     let color = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     terminal::print(&Report::new(findings, omitted).text(arguments.format, color))?;
-    if unreadable {
-        return Err(Failure::new("not every file could be read", "see the findings"));
-    }
-    Ok(if wrong { Outcome::Found } else { Outcome::Fine })
+    Ok(match (unreadable, wrong) {
+        (true, _) => Outcome::Unreadable,
+        (_, true) => Outcome::Found,
+        _ => Outcome::Fine,
+    })
 }
 
 /// A file to check.

@@ -3,5 +3,8 @@
 pub mod check;
 pub mod compare;
 pub mod eval;
+pub mod explain;
+pub mod fmt;
 pub mod nodes;
 pub mod render;
+pub mod schema;

@@ -203,4 +203,20 @@ codes! {
         "The inputs that decide whether this one is needed are constants, and they rule it out: the mix has weight 0, the condition is always true. What is connected here costs nothing and shows nowhere.",
         wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0.5, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#;
+    CONFLICTING_REQUIREMENTS "conflicting-requirements" Error "Requirements that cannot both hold",
+        "Requirements of the file, of its nodes and of the phenomena it uses are joined before rendering. Two of them contradict each other; the finding names both.",
+        wrong r#"{ "phenomenon": "a", "requires": { "trace": "off" }, "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "material": { "node": "t" } } }"#,
+        right r#"{ "phenomenon": "a", "requires": { "trace": "on" }, "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "material": { "node": "t" } } }"#;
+    VERSION_MISMATCH "version-mismatch" Error "Another version than the one asked for",
+        "A node may say which version of its type it was made for; 0, or nothing, asks for none. The nodes of the library have version 1, a phenomenon the `version` its file gives.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "version": 2 } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "version": 1 } }, "roots": { "material": { "node": "n" } } }"#;
+    RECURSION "recursion" Error "A phenomenon that is a part of itself",
+        "A phenomenon is expanded in the place of the node that uses it, so none may use itself, directly or through other files. The finding shows the way through the files. Files may be nested 32 deep.",
+        wrong r#"a.json: { … "nodes": { "n": { "type": { "file": "a.json" } } } … }"#,
+        right r#"a.json: { … "nodes": { "n": { "type": { "file": "b.json" } } } … }"#;
+    NUMERIC_HAZARD "numeric-hazard" Warning "A number that means nothing where it arrives",
+        "A constant or the range of a parameter lets a node divide by zero or raise a negative number to a power. The result is defined, and the same in every engine, but hardly what is wanted.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 0 } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 2 } } }, "roots": { "material": { "node": "n" } } }"#;
 }
