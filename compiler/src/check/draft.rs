@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::collections::HashMap;
 
-use crate::document::{Member, Value, nearest};
+use crate::document::{Member, Suggestion, Value, nearest};
 use crate::graph::Parameter;
 use crate::nodes::{NodeLibrary, NodeType, Type};
 
@@ -16,6 +16,9 @@ pub(super) struct Draft<'d> {
     pub parameter_names: HashMap<&'d str, usize>,
     pub node_names: HashMap<&'d str, usize>,
     pub suggestions: Suggestions,
+    /// Whether something was left out that may have held connections: a second `nodes`, a root of
+    /// unknown type.
+    pub unresolved: Cell<bool>,
 }
 
 /// An interface parameter.
@@ -104,7 +107,7 @@ impl Suggestions {
         &self,
         wrong: &str,
         names: impl ExactSizeIterator<Item = &'a str>,
-    ) -> Option<&'a str> {
+    ) -> Option<Suggestion<'a>> {
         let left = self.comparisons_left.get().checked_sub(names.len())?;
         self.comparisons_left.set(left);
         nearest(wrong, names)

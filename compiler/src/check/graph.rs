@@ -1,5 +1,6 @@
 //! The checker as a whole.
 
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -9,7 +10,9 @@ use crate::graph::Graph;
 use crate::nodes::NodeLibrary;
 
 use super::draft::{Draft, Suggestions};
-use super::{bind_inputs, cycles, interface, light_loops, nodes, roots, types};
+use super::{
+    bind_inputs, cycles, dead_inputs, interface, light_loops, nodes, ranges, reach, roots, types,
+};
 
 /// Most nodes a graph may have.
 pub const MAX_NODES: usize = 1_000_000;
@@ -86,6 +89,7 @@ fn check<'d>(reader: &mut Reader<'d>, library: &'d NodeLibrary) -> Option<Graph>
         parameter_names: HashMap::new(),
         node_names: HashMap::new(),
         suggestions: Suggestions::default(),
+        unresolved: Cell::new(reader.findings.has_errors()),
     };
     interface::read(reader, object.optional("interface"), &mut draft);
     nodes::read(reader, object.optional("nodes"), &mut draft)?;
@@ -94,6 +98,11 @@ fn check<'d>(reader: &mut Reader<'d>, library: &'d NodeLibrary) -> Option<Graph>
     let types = types::resolve(&draft, &order);
     let (nodes, roots) = bind_inputs::bind(reader, &draft, &types);
     light_loops::check(reader, &draft);
+    reach::check(reader, &draft);
+    ranges::check(reader, &draft);
+    if nodes.len() == draft.nodes.len() {
+        dead_inputs::check(reader, &draft, &nodes);
+    }
     Some(Graph {
         name: name.unwrap_or_default().to_owned(),
         doc: doc.unwrap_or_default().to_owned(),

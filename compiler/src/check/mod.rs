@@ -13,6 +13,7 @@
 
 mod bind_inputs;
 mod cycles;
+mod dead_inputs;
 mod draft;
 mod graph;
 mod interface;
@@ -20,6 +21,8 @@ mod light_loops;
 mod literals;
 mod mismatch;
 mod nodes;
+mod ranges;
+mod reach;
 mod roots;
 mod sources;
 mod types;

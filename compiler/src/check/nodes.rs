@@ -110,13 +110,13 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
             draft.library.iter().map(|(_, definition)| definition.signature.name).collect();
         let near = draft.suggestions.nearest(name, names.iter().copied());
         let help = match near {
-            Some(near) => format!("did you mean `{near}`?"),
+            Some(near) => near.help(),
             None => "`phenomenon nodes` lists every type".into(),
         };
         let message = format!("there is no node type `{}`", shortened(name));
         let mut finding =
             Finding::new(Code::UNKNOWN_NODE_TYPE, reader.document.place(value), message, help);
-        finding.fix = near.map(|near| format!("{near:?}"));
+        finding.fix = near.and_then(|near| near.fix());
         reader.findings.push(finding);
     }
     found
@@ -139,7 +139,7 @@ fn read_inputs<'d>(
             let names = || signature.inputs.iter().map(|input| input.name);
             let near = draft.suggestions.nearest(&member.key, names());
             let help = match near {
-                Some(near) => format!("did you mean `{near}`?"),
+                Some(near) => near.help(),
                 None if signature.inputs.is_empty() => "it has no inputs".into(),
                 None => format!("its inputs are {}", listed(names())),
             };
@@ -148,7 +148,7 @@ fn read_inputs<'d>(
             let message =
                 format!("node `{name}` ({kind}) has no input `{}`", shortened(&member.key));
             let mut finding = Finding::new(Code::UNKNOWN_INPUT, place, message, help);
-            finding.fix = near.map(|near| format!("{near:?}"));
+            finding.fix = near.and_then(|near| near.fix());
             reader.findings.push(finding);
         }
         let source = sources::read(reader, &member.value, draft);

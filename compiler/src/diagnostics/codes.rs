@@ -174,4 +174,24 @@ codes! {
     TOO_MANY_NODES "too-many-nodes" Error "A graph past the size limit",
         "The number of nodes is limited, those of nested phenomena included.",
         wrong "", right "";
+    UNREACHABLE_NODE "unreachable-node" Warning "A node no root reaches",
+        "No root reads the node, directly or through others, so it is never evaluated. Only the last node of an unused part is reported.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": { "node": "n" } } }"#;
+    UNUSED_PARAMETER "unused-parameter" Warning "A parameter nothing reads",
+        "Setting the parameter changes nothing, because no node and no root reads it.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "interface": "p" } } }"#;
+    LITERAL_OUT_OF_RANGE "literal-out-of-range" Warning "A literal outside the range of its input",
+        "The node declares the values it is made for. Outside of them it still yields the same bits everywhere, but what they mean is not promised.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 50 } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 0.5 } } }, "roots": { "material": { "node": "n" } } }"#;
+    RANGE_PAST_INPUT "range-past-input" Warning "A parameter that may leave the range of the input it feeds",
+        "The range of the parameter is enforced where it is bound, but it is wider than what the node is made for.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 0.5, "min": 0, "max": 2 } }, "nodes": { "n": { "type": "mix", "inputs": { "weight": { "interface": "p" } } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 0.5, "min": 0, "max": 1 } }, "nodes": { "n": { "type": "mix", "inputs": { "weight": { "interface": "p" } } } }, "roots": { "material": { "node": "n" } } }"#;
+    DEAD_INPUT "dead-input" Note "A connection that is never evaluated",
+        "The inputs that decide whether this one is needed are constants, and they rule it out: the mix has weight 0, the condition is always true. What is connected here costs nothing and shows nowhere.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0.5, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#;
 }

@@ -18,7 +18,7 @@ pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES};
 pub use read::{read, read_file};
 pub use reader::{Object, Reader};
 pub(crate) use reader::{listed, shortened, shown};
-pub use suggest::nearest;
+pub use suggest::{Suggestion, nearest};
 
 /// A value with its place, as byte range of the file.
 #[derive(Clone, Debug, PartialEq)]
