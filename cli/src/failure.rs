@@ -10,8 +10,6 @@ pub enum Outcome {
     Fine,
     /// Exit code 1: findings, or a difference above the tolerance.
     Found,
-    /// Exit code 2: among the findings is a file that cannot be read.
-    Unreadable,
 }
 
 /// A command that could not run to its end: exit code 2.

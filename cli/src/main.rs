@@ -6,13 +6,14 @@ mod failure;
 mod graphs;
 mod numbers;
 mod report;
+mod scenes;
 mod terminal;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{check, compare, eval, explain, fmt, nodes, schema};
+use crate::commands::{check, compare, eval, explain, fmt, nodes, render, schema};
 use crate::failure::{Failure, Outcome};
 
 /// Reads shader graphs, checks them, compiles them and renders pictures with them.
@@ -37,6 +38,7 @@ enum Command {
     Explain(explain::Arguments),
     Fmt(fmt::Arguments),
     Nodes(nodes::Arguments),
+    Render(render::Arguments),
     Schema(schema::Arguments),
 }
 
@@ -52,7 +54,6 @@ fn main() -> ExitCode {
     match run(command_line.command) {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::Found) => ExitCode::from(1),
-        Ok(Outcome::Unreadable) => ExitCode::from(2),
         Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
         Err(failure) => {
             terminal::complain(&failure);
@@ -69,6 +70,7 @@ fn run(command: Command) -> Result<Outcome, Failure> {
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Fmt(arguments) => fmt::run(&arguments),
         Command::Nodes(arguments) => nodes::run(&arguments),
+        Command::Render(arguments) => render::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
     }
 }

@@ -51,8 +51,10 @@ struct Facts {
     outputs: Vec<Type>,
     reads: Fields,
     /// Nodes at and below it, as if nothing were shared.
-    below: usize,
+    below: u64,
     nested_loops: usize,
+    /// Whether it or something below asks the renderer.
+    asks: bool,
     used: bool,
 }
 
@@ -141,12 +143,15 @@ impl<'a> Growing<'a> {
     }
 
     fn facts(&mut self, node: &Node, outputs: Vec<Type>, is_loop: bool) -> Facts {
-        let mut below = 1;
+        let mut below = 1_u64;
         let mut nested_loops = 0;
+        let kind = &self.library.signature(node.node_type).kind;
+        let mut asks = matches!(kind, Kind::Request(_));
         for binding in &node.inputs {
             if let Binding::Node { node, .. } = binding {
                 self.facts[*node].used = true;
-                below += self.facts[*node].below;
+                below = below.saturating_add(self.facts[*node].below);
+                asks |= self.facts[*node].asks;
                 nested_loops = nested_loops.max(self.facts[*node].nested_loops);
             }
         }
@@ -156,7 +161,7 @@ impl<'a> Growing<'a> {
         };
         let reads = reads::of_node(self.library, node, &of_output);
         nested_loops += usize::from(is_loop);
-        Facts { outputs, reads, below, nested_loops, used: false }
+        Facts { outputs, reads, below, nested_loops, asks, used: false }
     }
 
     fn binding(&mut self, to: Type, required: bool, scoped: bool, of_loop: bool) -> Binding {
@@ -197,11 +202,15 @@ impl<'a> Growing<'a> {
         all.filter(|(_, _, from)| from.converts_to(to)).map(|(n, output, _)| (n, output)).collect()
     }
 
-    /// One of `sources`: one nobody uses yet, one of the last, or any.
+    /// One of `sources`: one that asks the renderer, one nobody uses yet, one of the last, or any.
     fn preferred(&mut self, sources: &[(usize, usize)]) -> Option<(usize, usize)> {
         if sources.is_empty() {
             return None;
         }
+        let asking: Vec<_> =
+            sources.iter().copied().filter(|(node, _)| self.facts[*node].asks).collect();
+        let all = sources;
+        let sources = if !asking.is_empty() && self.random.chance(60) { &asking } else { all };
         let unused: Vec<_> =
             sources.iter().copied().filter(|(node, _)| !self.facts[*node].used).collect();
         Some(match self.random.below(10) {
@@ -211,16 +220,41 @@ impl<'a> Growing<'a> {
         })
     }
 
-    /// What a root may take, large trees preferred.
+    /// Whether an output belongs below a loop.
+    fn output_is_of_light(&self, node: usize, output: usize) -> bool {
+        let whole = &self.facts[node].reads;
+        is_of_light(&reads::of_output(self.library, &self.nodes[node], output, whole))
+    }
+
+    /// What a root may take, large trees preferred; a colour that belongs below a loop gets one.
     fn root_source(&mut self, to: Type) -> Option<Binding> {
         let mut sources = self.sources(to);
-        sources.retain(|&(node, output)| {
-            let whole = &self.facts[node].reads;
-            !is_of_light(&reads::of_output(self.library, &self.nodes[node], output, whole))
-        });
-        let tries: Vec<_> = (0..4).filter_map(|_| self.preferred(&sources)).collect();
-        let best = tries.into_iter().max_by_key(|(node, _)| self.facts[*node].below);
-        best.map(|(node, output)| Binding::Node { node, output })
+        if to != Type::Color {
+            sources.retain(|&(node, output)| !self.output_is_of_light(node, output));
+        }
+        let tries: Vec<_> = (0..6).filter_map(|_| self.preferred(&sources)).collect();
+        let best = tries
+            .into_iter()
+            .max_by_key(|(node, _)| (self.facts[*node].asks, self.facts[*node].below));
+        let (node, output) = best?;
+        let binding = Binding::Node { node, output };
+        Some(if self.output_is_of_light(node, output) { self.looped(binding) } else { binding })
+    }
+
+    /// A loop over all lights round a colour.
+    fn looped(&mut self, body: Binding) -> Binding {
+        let mut types = self.library.iter();
+        let found = types.find(|(_, definition)| definition.signature.kind == Kind::LightLoop);
+        let (node_type, definition) = found.expect("what reads light comes with a loop");
+        let inputs = definition.signature.inputs.iter();
+        let inputs = inputs.map(|input| if input.scoped { body.clone() } else { Binding::Default });
+        let inputs = inputs.collect();
+        let name = format!("n{}", self.nodes.len());
+        let node = Node { name, node_type, overload: 0, inputs };
+        let facts = self.facts(&node, vec![Type::Color], true);
+        self.nodes.push(node);
+        self.facts.push(facts);
+        Binding::Node { node: self.nodes.len() - 1, output: 0 }
     }
 
     fn root(&mut self, kind: RootKind) -> Root {

@@ -18,7 +18,7 @@ fn from_environment(name: &str, otherwise: u64) -> u64 {
 
 fn case(seed: u64, library: &Arc<NodeLibrary>) -> Case {
     let mut random = Random::new(seed);
-    let size = 1 + random.below(if random.clone().chance(50) { 12 } else { 60 });
+    let size = 1 + random.below(if random.clone().chance(30) { 12 } else { 60 });
     let (graph, values) = random_graph(&mut random, library, size);
     Case::random(&mut random, library, graph, values)
 }
@@ -47,15 +47,19 @@ fn on_random_graphs() {
     let mut ran = 0;
     let mut naive = 0;
     let mut with_requests = 0;
+    let mut requests = 0;
     for seed in first..first + cases {
         let agreement = check(seed, &case(seed, &library));
         ran += u64::from(agreement.ran);
         naive += u64::from(agreement.naive);
         with_requests += u64::from(agreement.requests > 0);
+        requests += agreement.requests;
     }
-    println!("{cases} graphs, {ran} run, {naive} naively, {with_requests} with requests");
+    println!(
+        "{cases} graphs, {ran} run, {naive} naively, {with_requests} with {requests} requests"
+    );
     // A test that runs nothing would pass too.
-    assert!(ran * 10 >= cases * 9 && naive * 2 >= cases && with_requests * 3 >= cases);
+    assert!(ran * 10 >= cases * 9 && naive * 2 >= cases && with_requests * 2 >= cases);
 }
 
 #[test]

@@ -15,6 +15,7 @@ use crate::terminal;
 
 /// Says all that is wrong in graphs and scenes.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Arguments {
     /// Files, folders (every .json file in them that is a graph or a scene), or `-` for standard
     /// input.
@@ -33,6 +34,17 @@ pub struct Arguments {
     #[arg(long)]
     fix: bool,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  phenomenon check graphs
+  phenomenon check glass.json --deny warnings --format sarif
+  cat glass.json | phenomenon check -
+
+Exit codes:
+  0  no errors
+  1  errors
+  2  wrong usage, or a file that cannot be read";
 
 fn code(name: &str) -> Result<Code, String> {
     Code::from_name(name).ok_or_else(|| {

@@ -6,4 +6,5 @@ pub mod eval;
 pub mod explain;
 pub mod fmt;
 pub mod nodes;
+pub mod render;
 pub mod schema;

@@ -127,6 +127,15 @@ codes! {
         "A graph is an object with the key `phenomenon`, a scene one with the key `scene`. This file is the other of the two, or neither.",
         wrong r#"{ "nodes": {}, "roots": { "material": 1 } }"#,
         right r#"{ "phenomenon": "a", "nodes": {}, "roots": { "material": 1 } }"#;
+    NOT_A_SCENE "not-a-scene" Error "A file that is no scene",
+        "A scene is an object with the key `scene`, a graph one with the key `phenomenon`. This file is the other of the two, or neither.",
+        wrong "", right "";
+    UNUSABLE_FILE "unusable-file" Error "A mesh or picture that cannot be used",
+        "A scene names a mesh or a picture that was found but is malformed, empty, or holds numbers that are not finite.",
+        wrong "", right "";
+    UNUSABLE_OBJECT "unusable-object" Error "A part of a scene that makes no sense",
+        "The numbers are each in range, but together they give no camera, light, object or transform: a camera that looks at itself, a transform that flattens, a sphere scaled unevenly.",
+        wrong "", right "";
     UNKNOWN_NODE_TYPE "unknown-node-type" Error "A node type that does not exist",
         "No node of this type is in the library. `phenomenon nodes` lists them all.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mixx" } }, "roots": { "material": { "node": "n" } } }"#,
