@@ -1,1 +1,16 @@
-//! Under construction.
+//! Ray tracer that shades with compiled shader graphs.
+//!
+//! A [`scene::SceneBuilder`] takes geometry, materials (anything that implements
+//! [`phenomenon_compiler::engine::Shade`]), lights, an environment and a camera and makes a
+//! [`scene::Scene`]; [`render::render`] turns that into a [`film::Film`]. No picture depends on the
+//! number of threads, the tiles, the batch size or the shape of the BVH.
+
+pub mod bvh;
+pub mod camera;
+pub mod film;
+pub mod geometry;
+pub mod lights;
+pub mod monoliths;
+pub mod render;
+pub mod sampling;
+pub mod scene;

@@ -1,1 +1,38 @@
-//! From a document to a checked graph, with all findings on the way.
+//! Checking a document against a node library: from text to a [`Graph`] the engines can trust.
+//!
+//! ```
+//! use phenomenon_compiler::{check::check_graph, document, nodes::NodeLibrary};
+//!
+//! let text = br#"{ "phenomenon": "a", "nodes": { "n": { "type": "mxi" } },
+//!                  "roots": { "material": { "node": "n" } } }"#;
+//! let document = document::read("a.json", text).unwrap();
+//! let checked = check_graph(&document, &NodeLibrary::standard());
+//! assert!(checked.graph.is_none());
+//! assert_eq!(checked.findings[0].help, "did you mean `mix`?");
+//! ```
+
+mod bind_inputs;
+mod cycles;
+mod dead_inputs;
+mod draft;
+mod expand;
+mod graph;
+mod hazards;
+mod interface;
+mod light_loops;
+mod literals;
+mod mismatch;
+mod nested;
+mod nodes;
+mod ranges;
+mod reach;
+mod requirements;
+mod roots;
+mod sources;
+mod stations;
+mod types;
+
+pub use graph::{Checked, MAX_NODES, check_graph, check_graph_with, read_graph_file};
+pub use light_loops::reads_light;
+pub use nested::{Files, MAX_FILE_DEPTH, OnDisk};
+pub use roots::ShaderType;

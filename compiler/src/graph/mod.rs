@@ -1,14 +1,24 @@
 //! A checked graph: names resolved, types settled, every input bound. What [`crate::check`] makes
 //! and the engines start from.
 
-use crate::nodes::{Literal, NodeType, Type};
+mod bind;
+mod with_root;
+
+use crate::nodes::{FINITE, Literal, NodeType, Type};
 use std::ops::RangeInclusive;
+
+pub use bind::BindError;
+pub use with_root::WithRootError;
 
 /// A phenomenon without findings of severity error.
 #[derive(Clone, Debug)]
 pub struct Graph {
     /// Name of the phenomenon.
     pub name: String,
+    /// Its doc.
+    pub doc: String,
+    /// Its version; 0 where the file gives none.
+    pub version: i32,
     /// Parameters of the interface, in file order.
     pub parameters: Vec<Parameter>,
     /// Nodes; connections between them form no cycle.
@@ -30,6 +40,12 @@ pub struct Parameter {
     pub default: Literal,
     /// Values it may be bound to, per component.
     pub range: RangeInclusive<f64>,
+    /// Values an editor offers; within `range`.
+    pub soft_range: RangeInclusive<f64>,
+    /// Unit of the value, empty where it has none.
+    pub unit: String,
+    /// For an enumeration, which is an integer: the names of 0, 1, 2 …; else empty.
+    pub labels: Vec<String>,
 }
 
 /// A node of a graph.
@@ -97,6 +113,22 @@ pub struct Root {
     pub color: Binding,
     /// A boolean, false for mental ray's miFALSE; [`Binding::Default`] means always true.
     pub ok: Binding,
+}
+
+impl Parameter {
+    /// A parameter with that default and nothing else said of it.
+    pub fn new(name: impl Into<String>, default: Literal) -> Self {
+        Self {
+            name: name.into(),
+            doc: String::new(),
+            value_type: default.value_type(),
+            default,
+            range: FINITE,
+            soft_range: FINITE,
+            unit: String::new(),
+            labels: Vec::new(),
+        }
+    }
 }
 
 impl Graph {

@@ -6,10 +6,15 @@ mod macros;
 #[cfg(test)]
 #[macro_use]
 mod harness;
+#[cfg(test)]
+mod adding_a_node;
+#[cfg(test)]
+mod agreement;
 
 mod code;
 pub mod finite;
 mod library;
+pub mod reference;
 mod signature;
 
 pub use code::{Body, Code};
@@ -37,8 +42,9 @@ macro_rules! nodes {
 nodes! {
     /// Arithmetic on numbers, vectors and colours.
     arithmetic {
-        absolute, add, clamp, divide, floor, fraction, maximum, minimum, modulo, multiply, negate,
-        one_minus, ratio, scale, smooth_step, square_root, subtract,
+        absolute, add, arc_tangent2, clamp, cosine, divide, exponential, floor, fraction,
+        logarithm, maximum, minimum, modulo, multiply, negate, one_minus, power, ratio, scale, sine,
+        smooth_step, square_root, subtract,
     }
     /// Values given once and used in many places.
     constants {

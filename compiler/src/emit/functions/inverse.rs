@@ -18,34 +18,45 @@ const ATAN: [f64; 9] = [
     -0.001_796_193_3,
 ];
 
-/// Whether |x| is above 1/2, and asin of |x|, or of the square root of `(1 - |x|)/2` there, which
-/// is half the angle to the axis.
+/// The arc sine of |x|, or above 1/2 that of the square root of `(1 - |x|)/2`, which is half the
+/// angle to the axis; as `r + curve`.
+struct Half<R: Real> {
+    above_half: R::Mask,
+    r: R,
+    curve: R,
+}
+
 #[inline(always)]
-fn half_angle<R: Real>(x: R) -> (R::Mask, R) {
+fn half_angle<R: Real>(x: R) -> Half<R> {
     let a = x.absolute();
-    let large = a.greater(a.same(0.5));
-    let square = large.select((a.same(1.0) - a) * 0.5, a * a);
-    let r = large.select(square.sqrt(), a);
-    (large, (r * square).mul_add(polynomial(square, ASIN), r))
+    let above_half = a.greater(a.same(0.5));
+    let square = above_half.select((a.same(1.0) - a) * 0.5, a * a);
+    let r = above_half.select(square.sqrt(), a);
+    Half { above_half, r, curve: (r * square) * polynomial(square, ASIN) }
 }
 
 /// Arc sine; NaN outside -1..=1.
 #[inline(always)]
 pub fn asin<R: Real>(x: R) -> R {
-    let (large, angle) = half_angle(x);
-    let from_axis = angle.mul_add(x.same(-2.0), x.same(HALF_PI[0])) + HALF_PI[1];
-    flipped(large.select(from_axis, angle), sign_bit(x))
+    let Half { above_half, r, curve } = half_angle(x);
+    // pi/2 - 2 (r + curve), with what the first difference loses: the result may be smaller.
+    let (quarter_turn, two_r) = (x.same(HALF_PI[0]), r + r);
+    let difference = quarter_turn - two_r;
+    let lost = (quarter_turn - difference) - two_r;
+    let from_axis = difference + curve.mul_add(x.same(-2.0), lost + HALF_PI[1]);
+    flipped(above_half.select(from_axis, r + curve), sign_bit(x))
 }
 
 /// Arc cosine; NaN outside -1..=1.
 #[inline(always)]
 pub fn acos<R: Real>(x: R) -> R {
-    let (large, angle) = half_angle(x);
+    let Half { above_half, r, curve } = half_angle(x);
+    let angle = r + curve;
     let from_middle = x.same(HALF_PI[0]) - (flipped(angle, sign_bit(x)) - HALF_PI[1]);
     let to_axis = angle * 2.0;
     let opposite = (x.same(2.0 * HALF_PI[0]) - to_axis) + 2.0 * HALF_PI[1];
     let near_axis = x.less(x.same(0.0)).select(opposite, to_axis);
-    large.select(near_axis, from_middle)
+    above_half.select(near_axis, from_middle)
 }
 
 /// Arc tangent of `small / large`, neither negative, both not above `large`.

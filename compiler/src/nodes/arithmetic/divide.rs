@@ -1,5 +1,5 @@
+use crate::emit::functions::conventions::clamp_finite;
 use crate::emit::{Components, Emit};
-use crate::nodes::finite::held_finite;
 
 node! {
     /// Quotient `a / b`, per component. Division by zero gives 0, and a quotient that overflows the
@@ -19,10 +19,10 @@ node! {
 }
 
 #[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> Outputs<T> {
+fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
     let mut quotient = i.a.divide_or_zero(i.b).to_words();
     for component in &mut quotient[..3] {
-        *component = held_finite(e, *component);
+        *component = clamp_finite(*component);
     }
     Outputs { result: T::from_words(quotient) }
 }

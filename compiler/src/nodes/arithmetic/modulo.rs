@@ -1,9 +1,10 @@
-use crate::emit::{Components, Emit, Mask, Real};
+use crate::emit::functions::conventions::modulo_or_zero;
+use crate::emit::{Components, Emit};
 
 node! {
-    /// Floored remainder `a - b floor(a / b)`, per component: it has the sign of `b`. A remainder by
-    /// zero is 0. Exact while `a / b` is below 2^23 in magnitude; beyond, the value still lies
-    /// between 0 and `b`. A colour keeps the alpha of `a`.
+    /// Floored remainder `a - b floor(a / b)`, per component: it lies between 0 and `b` and has the
+    /// sign of `b`. A remainder by zero is 0, and so is one of a quotient beyond what numbers
+    /// resolve. A colour keeps the alpha of `a`.
     modulo in arithmetic generic,
     source "",
     inputs {
@@ -19,24 +20,12 @@ node! {
 }
 
 #[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> Outputs<T> {
+fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
     let (mut words, periods) = (i.a.to_words(), i.b.to_words());
     for (word, &period) in words[..3].iter_mut().zip(&periods[..3]) {
-        *word = remainder(e, *word, period);
+        *word = modulo_or_zero(*word, period);
     }
     Outputs { result: T::from_words(words) }
-}
-
-#[inline(always)]
-fn remainder<E: Emit>(e: E, a: E::Real, b: E::Real) -> E::Real {
-    let zero = e.real(0.0);
-    let rest = (-b).mul_add((a / b).floor(), a);
-    // A quotient rounded up to the next integer leaves the rest on the other side of zero.
-    let wrong_side = (b.greater(zero) & rest.less(zero)) | (b.less(zero) & rest.greater(zero));
-    let rest = wrong_side.select(rest + b, rest);
-    // Past 2^23 the quotient is off by more than a period.
-    let rest = rest.absolute().less(b.absolute()).select(rest, zero);
-    b.equal(zero).select(zero, rest)
 }
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
-use crate::emit::{Components, Emit, Real};
+use crate::emit::functions::conventions::sqrt_or_zero;
+use crate::emit::{Components, Emit};
 use crate::nodes::NOT_NEGATIVE;
 
 node! {
@@ -17,10 +18,10 @@ node! {
 }
 
 #[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> Outputs<T> {
+fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
     let mut root = i.input.to_words();
     for component in &mut root[..3] {
-        *component = component.maximum(e.real(0.0)).sqrt();
+        *component = sqrt_or_zero(*component);
     }
     Outputs { result: T::from_words(root) }
 }

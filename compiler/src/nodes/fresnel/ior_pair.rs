@@ -21,9 +21,9 @@ node! {
     }
     outputs {
         /// Index on the side the ray comes from.
-        ior_in: scalar, in 0.01..=100.0;
+        ior_in: scalar, in 1.0 / 64.0..=100.0;
         /// Index beyond the boundary.
-        ior_out: scalar, in 0.01..=100.0;
+        ior_out: scalar, in 1.0 / 64.0..=100.0;
         /// Whether the ray enters the material.
         enter: boolean;
     }
@@ -77,6 +77,6 @@ mod tests {
             assert_eq!(number!(ior = ior => ior_out), 1.0);
         }
         assert_eq!(number!(ior = f32::INFINITY => ior_out), 100.0);
-        assert_eq!(number!(ior = 1e-45 => ior_out), 0.01);
+        assert_eq!(number!(ior = 1e-45 => ior_out), 1.0 / 64.0);
     }
 }

@@ -1,0 +1,132 @@
+//! Binding every input and root to its source, with the types checked.
+
+use crate::diagnostics::{Code, Finding};
+use crate::document::{Reader, shortened};
+use crate::graph::{Binding, Node, Root};
+use crate::nodes::{Default, NodeType, Signature, Type};
+
+use super::draft::{Draft, DraftInput, Source, SourceKind};
+use super::roots::ShaderType;
+use super::types::{Types, overload};
+use super::{literals, mismatch};
+
+/// The nodes and the roots that are run. Nodes of unknown type are left out: they made a finding,
+/// and then there is no graph.
+pub(super) fn bind<'d>(
+    reader: &mut Reader<'d>,
+    draft: &Draft<'d>,
+    types: &Types,
+) -> (Vec<Node>, Vec<Root>) {
+    let mut nodes = Vec::with_capacity(draft.nodes.len());
+    for (at, node) in draft.nodes.iter().enumerate() {
+        let Some(node_type) = node.node_type else { continue };
+        nodes.push(Node {
+            name: node.member.key.clone(),
+            node_type,
+            overload: overload(&draft.library, node_type, types.generic(at)),
+            inputs: bind_node(reader, draft, types, at, node_type),
+        });
+    }
+    let mut roots = Vec::with_capacity(draft.roots.len());
+    for root in &draft.roots {
+        let name = root.kind.name();
+        let mut bind_root = |source: Option<&Source<'d>>, to, what: String| match source {
+            Some(source) => {
+                bind_source(reader, draft, types, source, to, false, &move || what.clone())
+            }
+            None => None,
+        };
+        let color = bind_root(root.color.as_ref(), Type::Color, format!("root `{name}`"));
+        let ok = bind_root(root.ok.as_ref(), Type::Boolean, format!("`ok` of root `{name}`"));
+        if let (ShaderType::Run(kind), Some(color)) = (root.kind, color) {
+            roots.push(Root { kind, color, ok: ok.unwrap_or(Binding::Default) });
+        }
+    }
+    (nodes, roots)
+}
+
+fn bind_node<'d>(
+    reader: &mut Reader<'d>,
+    draft: &Draft<'d>,
+    types: &Types,
+    node: usize,
+    node_type: NodeType,
+) -> Vec<Binding> {
+    let signature = draft.library.signature(node_type);
+    let mut bindings = vec![Binding::Default; signature.inputs.len()];
+    let mut given = vec![false; signature.inputs.len()];
+    for input in &draft.nodes[node].inputs {
+        let Some(at) = input.input else { continue };
+        given[at] = true;
+        let generic = signature.inputs[at].value_type == Type::Generic;
+        let to = if generic { types.generic(node) } else { Some(signature.inputs[at].value_type) };
+        let what = || {
+            let (name, of) = (signature.inputs[at].name, shortened(draft.name(node)));
+            format!("input `{name}` of node `{of}` ({})", signature.name)
+        };
+        let Some(to) = to else { continue };
+        if let Some(binding) = bind_source(reader, draft, types, &input.source, to, generic, &what)
+        {
+            bindings[at] = binding;
+        }
+    }
+    missing_inputs(reader, draft, node, signature, &given);
+    bindings
+}
+
+/// Reports inputs that must be given and are not, unless a misspelt one was surely meant for it.
+fn missing_inputs(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    node: usize,
+    signature: &Signature,
+    given: &[bool],
+) {
+    let drafted = &draft.nodes[node];
+    for (at, input) in signature.inputs.iter().enumerate() {
+        let required = matches!(input.default, Default::Required) && !given[at];
+        let meant = |given: &DraftInput<'_>| {
+            given.input.is_none()
+                && crate::document::nearest(&given.member.key, [input.name]).is_some()
+        };
+        if !required || drafted.inputs.iter().any(meant) {
+            continue;
+        }
+        let name = shortened(draft.name(node));
+        let message =
+            format!("node `{name}` ({}) needs its input `{}`", signature.name, input.name);
+        let help = format!(
+            "add `\"{}\"` to its `inputs`: {}",
+            input.name,
+            literals::with_article(input.value_type)
+        );
+        let place = reader.document.place_of_key(drafted.member);
+        reader.findings.push(Finding::new(Code::MISSING_INPUT, place, message, help));
+    }
+}
+
+/// The binding for a source, or none after a finding.
+fn bind_source<'d>(
+    reader: &mut Reader<'d>,
+    draft: &Draft<'d>,
+    types: &Types,
+    source: &Source<'d>,
+    to: Type,
+    repeat: bool,
+    what: &dyn Fn() -> String,
+) -> Option<Binding> {
+    let binding = match source.kind {
+        SourceKind::Broken => return None,
+        SourceKind::Literal => {
+            return literals::read(reader, source.value, to, repeat, what).map(Binding::Literal);
+        }
+        SourceKind::Parameter(parameter) => Binding::Parameter(parameter),
+        SourceKind::Node(node, output) => Binding::Node { node, output: output? },
+    };
+    let from = types.of(draft, source)?;
+    if !from.converts_to(to) {
+        mismatch::report(reader, draft, source, (from, to), what);
+        return None;
+    }
+    Some(binding)
+}

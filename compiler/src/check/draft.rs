@@ -1,0 +1,123 @@
+//! A graph as far as its names are resolved: what the passes of the checker work on.
+
+use std::cell::Cell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use crate::document::{Member, Suggestion, Value, nearest};
+use crate::graph::Parameter;
+use crate::nodes::{NodeLibrary, NodeType, Type};
+
+use super::nested::Nested;
+
+/// The names of a graph, and their types as far as they are known.
+pub(super) struct Draft<'d> {
+    /// The nodes of the library, and after them the phenomena this one uses.
+    pub library: NodeLibrary,
+    /// The phenomena used, by file as written; none where a file cannot be used.
+    pub phenomena: HashMap<&'d str, Option<NodeType>>,
+    /// What they are, by node type.
+    pub nested: HashMap<NodeType, Rc<Nested>>,
+    pub parameters: Vec<DraftParameter<'d>>,
+    pub nodes: Vec<DraftNode<'d>>,
+    pub roots: Vec<DraftRoot<'d>>,
+    pub parameter_names: HashMap<&'d str, usize>,
+    pub node_names: HashMap<&'d str, usize>,
+    pub suggestions: Suggestions,
+    /// Whether something was left out that may have held connections: a second `nodes`, a root of
+    /// unknown type.
+    pub unresolved: Cell<bool>,
+}
+
+/// An interface parameter.
+pub(super) struct DraftParameter<'d> {
+    pub member: &'d Member,
+    /// None where the file does not say it understandably.
+    pub value_type: Option<Type>,
+    /// None where something of it is wrong.
+    pub parameter: Option<Parameter>,
+}
+
+/// A node.
+pub(super) struct DraftNode<'d> {
+    pub member: &'d Member,
+    /// None where there is no such type.
+    pub node_type: Option<NodeType>,
+    pub inputs: Vec<DraftInput<'d>>,
+}
+
+/// An input that is given.
+pub(super) struct DraftInput<'d> {
+    pub member: &'d Member,
+    /// Position in the signature; none where it has no such input.
+    pub input: Option<usize>,
+    pub source: Source<'d>,
+}
+
+/// A root.
+pub(super) struct DraftRoot<'d> {
+    pub kind: super::roots::ShaderType,
+    /// None where it is missing or not understood.
+    pub color: Option<Source<'d>>,
+    pub ok: Option<Source<'d>>,
+}
+
+/// Where a value comes from.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'d> {
+    pub value: &'d Value,
+    pub kind: SourceKind,
+}
+
+/// What kind of source it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum SourceKind {
+    /// Something already reported: nothing more is said of it.
+    Broken,
+    /// A literal; whether it suits is seen when the type is known.
+    Literal,
+    /// An interface parameter.
+    Parameter(usize),
+    /// An output of a node; none where it is not known which.
+    Node(usize, Option<usize>),
+}
+
+impl<'d> Draft<'d> {
+    /// The name of a node.
+    pub fn name(&self, node: usize) -> &'d str {
+        &self.nodes[node].member.key
+    }
+
+    /// The nodes a node reads, known and unknown inputs alike.
+    pub fn reads(&self, node: usize) -> impl Iterator<Item = (usize, &DraftInput<'d>)> {
+        self.nodes[node].inputs.iter().filter_map(|input| match input.source.kind {
+            SourceKind::Node(source, _) => Some((source, input)),
+            _ => None,
+        })
+    }
+}
+
+/// Suggestions for misspelt names, bounded: comparing every wrong name with every right one takes
+/// time in the square of the file.
+pub(super) struct Suggestions {
+    comparisons_left: Cell<usize>,
+}
+
+impl Default for Suggestions {
+    fn default() -> Self {
+        Self { comparisons_left: Cell::new(1_000_000) }
+    }
+}
+
+impl Suggestions {
+    /// The nearest of `names`, none where the file used its share of comparisons up.
+    pub fn nearest<'a>(
+        &self,
+        wrong: &str,
+        names: impl ExactSizeIterator<Item = &'a str>,
+    ) -> Option<Suggestion<'a>> {
+        let left = self.comparisons_left.get().checked_sub(names.len())?;
+        self.comparisons_left.set(left);
+        nearest(wrong, names)
+    }
+}

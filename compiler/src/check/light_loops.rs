@@ -1,0 +1,158 @@
+//! Light samples are read only below the body of a light loop.
+
+use std::collections::HashSet;
+
+use crate::diagnostics::{Code, Finding};
+use crate::document::{Reader, Value, shortened};
+use crate::nodes::{Default, Kind, NodeLibrary, NodeType};
+use crate::state::Field;
+
+use super::draft::{Draft, SourceKind};
+
+/// Whether an output of a node type is of the light sample by itself, whatever its inputs.
+fn is_of_light(library: &NodeLibrary, node_type: NodeType, output: Option<usize>) -> bool {
+    match &library.signature(node_type).kind {
+        Kind::Fields(fields) => match output {
+            Some(output) => fields.get(output).copied().is_some_and(Field::is_of_light),
+            None => false,
+        },
+        Kind::Request(effect) => effect.reads().iter().any(|field| field.is_of_light()),
+        Kind::Plain | Kind::Scope(_) | Kind::LightLoop => false,
+    }
+}
+
+/// Whether a default reads the light sample, through the implied nodes behind it.
+fn default_reads_light(
+    library: &NodeLibrary,
+    default: &Default,
+    seen: &mut HashSet<NodeType>,
+) -> bool {
+    match default {
+        Default::State(field) => field.is_of_light(),
+        Default::Node(name) => library
+            .find(name)
+            .is_some_and(|node_type| seen.insert(node_type) && implied(library, node_type, seen)),
+        Default::Required | Default::Literal(_) => false,
+    }
+}
+
+/// Whether a node whose inputs are all defaults reads the light sample in its first output.
+fn implied(library: &NodeLibrary, node_type: NodeType, seen: &mut HashSet<NodeType>) -> bool {
+    let signature = library.signature(node_type);
+    is_of_light(library, node_type, Some(0))
+        || signature.inputs.iter().any(|input| {
+            let within = input.scoped && signature.kind == Kind::LightLoop;
+            !within && default_reads_light(library, &input.default, seen)
+        })
+}
+
+/// Whether the input of a node type, left to its default, reads the light sample and so may stand
+/// only below the body of a light loop.
+pub fn reads_light(library: &NodeLibrary, node_type: NodeType, input: usize) -> bool {
+    let default = &library.signature(node_type).inputs[input].default;
+    default_reads_light(library, default, &mut HashSet::new())
+}
+
+/// Reports every node that reads the light sample and is reached from a root without passing the
+/// body of a loop.
+pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
+    // Left to defaults, per node type and input: asked for often, so it is worked out once.
+    let by_default: Vec<Vec<bool>> = draft
+        .library
+        .iter()
+        .map(|(node_type, definition)| {
+            let inputs = 0..definition.signature.inputs.len();
+            inputs.map(|input| reads_light(&draft.library, node_type, input)).collect()
+        })
+        .collect();
+    let mut walk = Walk {
+        draft,
+        by_default,
+        visited: vec![false; draft.nodes.len()],
+        reported: vec![false; draft.nodes.len()],
+        pending: Vec::new(),
+    };
+    for root in &draft.roots {
+        for source in [root.color, root.ok].into_iter().flatten() {
+            if let SourceKind::Node(node, output) = source.kind {
+                walk.arrive(reader, node, output, source.value);
+            }
+        }
+    }
+    while let Some(node) = walk.pending.pop() {
+        walk.leave(reader, node);
+    }
+}
+
+/// The nodes reached from roots outside of every loop.
+struct Walk<'w, 'd> {
+    draft: &'w Draft<'d>,
+    by_default: Vec<Vec<bool>>,
+    visited: Vec<bool>,
+    reported: Vec<bool>,
+    pending: Vec<usize>,
+}
+
+impl Walk<'_, '_> {
+    fn arrive(
+        &mut self,
+        reader: &mut Reader<'_>,
+        node: usize,
+        output: Option<usize>,
+        from: &Value,
+    ) {
+        let Some(node_type) = self.draft.nodes[node].node_type else { return };
+        if is_of_light(&self.draft.library, node_type, output) {
+            self.report(reader, node, Some(from), "");
+        }
+        if !std::mem::replace(&mut self.visited[node], true) {
+            self.pending.push(node);
+        }
+    }
+
+    fn leave(&mut self, reader: &mut Reader<'_>, node: usize) {
+        let draft = self.draft;
+        let Some(node_type) = draft.nodes[node].node_type else { return };
+        let signature = draft.library.signature(node_type);
+        let is_body =
+            |input: usize| signature.kind == Kind::LightLoop && signature.inputs[input].scoped;
+        for (source, input) in draft.reads(node) {
+            // A connection to an input that does not exist leads nowhere.
+            if let (Some(at), SourceKind::Node(_, output)) = (input.input, input.source.kind)
+                && !is_body(at)
+            {
+                self.arrive(reader, source, output, input.source.value);
+            }
+        }
+        for at in 0..signature.inputs.len() {
+            let given = draft.nodes[node].inputs.iter().any(|input| input.input == Some(at));
+            if !given && !is_body(at) && self.by_default[node_type.0][at] {
+                self.report(reader, node, None, signature.inputs[at].name);
+                break;
+            }
+        }
+    }
+
+    fn report(&mut self, reader: &mut Reader<'_>, node: usize, from: Option<&Value>, input: &str) {
+        if std::mem::replace(&mut self.reported[node], true) {
+            return;
+        }
+        let drafted = &self.draft.nodes[node];
+        let kind = drafted.node_type.map_or("", |it| self.draft.library.signature(it).name);
+        let name = shortened(&drafted.member.key);
+        let by = if input.is_empty() {
+            String::new()
+        } else {
+            format!(", by the default of its input `{input}`,")
+        };
+        let message =
+            format!("node `{name}` ({kind}) reads the light sample{by} outside of a light loop");
+        let help = "connect what reads it to the input `body` of a `light_loop`";
+        let place = reader.document.place_of_key(drafted.member);
+        let mut finding = Finding::new(Code::OUTSIDE_LIGHT_LOOP, place, message, help);
+        if let Some(from) = from {
+            finding = finding.with_related(reader.document.place(from), "reached from here");
+        }
+        reader.findings.push(finding);
+    }
+}

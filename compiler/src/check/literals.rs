@@ -1,0 +1,126 @@
+//! Literals, once it is known what type they must be.
+
+use crate::diagnostics::Code;
+use crate::document::{Reader, Value, ValueKind};
+use crate::nodes::{Literal, Type};
+
+/// The type a literal has by itself: a number is a scalar, a list of three or four a color. None
+/// for what can only suit one type of place.
+pub(super) fn natural_type(value: &Value) -> Option<Type> {
+    match &value.kind {
+        ValueKind::Boolean(_) => Some(Type::Boolean),
+        ValueKind::Number(_) => Some(Type::Scalar),
+        ValueKind::Array(elements) if matches!(elements.len(), 3 | 4) => Some(Type::Color),
+        _ => None,
+    }
+}
+
+/// Reads a literal as `to`, or reports it. `what` names the place: "input `a` of node `n` (add)".
+/// With `repeat` a number stands for a vector of three of it, as in generic inputs.
+pub(super) fn read<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    to: Type,
+    repeat: bool,
+    what: &dyn Fn() -> String,
+) -> Option<Literal> {
+    match (to, &value.kind) {
+        (Type::Boolean, ValueKind::Boolean(value)) => Some(Literal::Boolean(*value)),
+        (Type::Integer, ValueKind::Number(_)) => {
+            let range = i64::from(i32::MIN)..=i64::from(i32::MAX);
+            let number = reader.integer(value, &what(), range)?;
+            i32::try_from(number).ok().map(Literal::Integer)
+        }
+        (Type::Scalar, ValueKind::Number(_)) => number(reader, value, what).map(Literal::Scalar),
+        (Type::Color, ValueKind::Number(_)) => {
+            number(reader, value, what).map(|x| Literal::Color([x, x, x, 1.0]))
+        }
+        (Type::Vector, ValueKind::Number(_)) if repeat => {
+            number(reader, value, what).map(|x| Literal::Vector([x; 3]))
+        }
+        (Type::Color, ValueKind::Array(elements)) if matches!(elements.len(), 3 | 4) => {
+            let mut color = [0.0, 0.0, 0.0, 1.0];
+            numbers(reader, elements, &mut color, what).then_some(Literal::Color(color))
+        }
+        (Type::Vector, ValueKind::Array(elements)) if elements.len() == 3 => {
+            let mut vector = [0.0; 3];
+            numbers(reader, elements, &mut vector, what).then_some(Literal::Vector(vector))
+        }
+        (Type::Lights, ValueKind::Array(elements)) => lights(reader, elements),
+        _ => {
+            mismatch(reader, value, to, what);
+            None
+        }
+    }
+}
+
+fn number<'d>(reader: &mut Reader<'d>, value: &'d Value, what: &dyn Fn() -> String) -> Option<f32> {
+    // The text of the place is costly for a graph of many literals, so it is made for a finding only.
+    if let ValueKind::Number(text) = &value.kind
+        && let Ok(number) = text.parse::<f64>()
+        && (number as f32).is_finite()
+    {
+        return Some(number as f32);
+    }
+    reader.finite(value, &what()).map(|number| number as f32)
+}
+
+fn numbers<'d>(
+    reader: &mut Reader<'d>,
+    elements: &'d [Value],
+    into: &mut [f32],
+    what: &dyn Fn() -> String,
+) -> bool {
+    let mut complete = true;
+    for (element, into) in elements.iter().zip(into) {
+        match number(reader, element, &|| format!("a component of {}", what())) {
+            Some(number) => *into = number,
+            None => complete = false,
+        }
+    }
+    complete
+}
+
+fn lights<'d>(reader: &mut Reader<'d>, elements: &'d [Value]) -> Option<Literal> {
+    let mut names = Vec::with_capacity(elements.len());
+    let mut complete = true;
+    for element in elements {
+        let name = reader
+            .object(element, "a light", &["light"])
+            .and_then(|object| object.required(reader, "light"))
+            .and_then(|name| reader.string(name, "the name of a light"));
+        match name {
+            Some(name) => names.push(name.to_owned()),
+            None => complete = false,
+        }
+    }
+    complete.then_some(Literal::Lights(names))
+}
+
+fn mismatch(reader: &mut Reader<'_>, value: &Value, to: Type, what: &dyn Fn() -> String) {
+    let message = format!("{} takes {}, not {}", what(), with_article(to), value.describe());
+    let form = match to {
+        Type::Boolean => "write `true` or `false`",
+        Type::Integer => "write a whole number",
+        Type::Scalar => "write a number",
+        Type::Color => "write `[r, g, b]`, `[r, g, b, a]`, or one number for grey",
+        Type::Vector => "write `[x, y, z]`",
+        Type::Lights => "write a list such as `[{ \"light\": \"key\" }]`",
+        Type::Generic => "write a number, `[x, y, z]` or `[r, g, b, a]`",
+    };
+    let help = match &value.kind {
+        ValueKind::String(_) => format!("{form}, or a connection: {{ \"node\": \"name\" }}"),
+        _ => form.to_owned(),
+    };
+    reader.report(Code::TYPE_MISMATCH, value, message, help);
+}
+
+/// A type's name with its article.
+pub(super) fn with_article(value_type: Type) -> String {
+    match value_type {
+        Type::Integer => "an integer".into(),
+        Type::Lights => "a list of lights".into(),
+        Type::Generic => "a scalar, vector or color".into(),
+        other => format!("a {}", other.name()),
+    }
+}

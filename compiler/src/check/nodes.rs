@@ -1,0 +1,194 @@
+//! Reading `nodes`: types, inputs and connections by name.
+
+use crate::diagnostics::{Code, Finding};
+use crate::document::{Member, Reader, Value, ValueKind, listed, shortened};
+use crate::nodes::NodeType;
+
+use super::MAX_NODES;
+use super::draft::{Draft, DraftInput, DraftNode};
+use super::{nested, sources};
+
+/// The keys of a node.
+const KEYS: [&str; 5] = ["type", "version", "doc", "inputs", "editor"];
+
+/// Longest name, in characters.
+const MAX_NAME: usize = 256;
+
+/// Reports a name that could not stand in a path or on the command line.
+pub(super) fn check_name(reader: &mut Reader<'_>, value: &Value, what: &str, name: &str) {
+    if let Some(message) = name_mistake(what, name) {
+        reader.report(Code::BAD_NAME, value, message, NAME_HELP);
+    }
+}
+
+/// The same for a name that is a key.
+pub(super) fn check_key(reader: &mut Reader<'_>, member: &Member, what: &str) {
+    if let Some(message) = name_mistake(what, &member.key) {
+        reader.report_key(Code::BAD_NAME, member, message, NAME_HELP);
+    }
+}
+
+const NAME_HELP: &str = "use letters, digits, `_` and `-`, at most 256 of them";
+
+fn name_mistake(what: &str, name: &str) -> Option<String> {
+    if name.is_empty() {
+        return Some(format!("{what} is empty"));
+    }
+    let allowed = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-');
+    if let Some(bad) = name.chars().find(|&c| !allowed(c)) {
+        return Some(format!("{what} has the character {bad:?}"));
+    }
+    (name.chars().count() > MAX_NAME)
+        .then(|| format!("{what} is longer than {MAX_NAME} characters"))
+}
+
+/// Reads all nodes, then their inputs, which may name any of them. None where there are too many.
+pub(super) fn read<'d>(
+    reader: &mut Reader<'d>,
+    value: Option<&'d Value>,
+    draft: &mut Draft<'d>,
+) -> Option<()> {
+    let Some(value) = value else { return Some(()) };
+    let Some(members) = reader.members(value, "`nodes`") else { return Some(()) };
+    let members: Vec<&Member> = members.collect();
+    if members.len() > MAX_NODES {
+        let message = format!("a graph has at most {MAX_NODES} nodes, this one {}", members.len());
+        reader.report(Code::TOO_MANY_NODES, value, message, "split it into several phenomena");
+        return None;
+    }
+    for (at, member) in members.iter().enumerate() {
+        check_key(reader, member, "the name of a node");
+        draft.node_names.insert(&member.key, at);
+        let node_type = read_header(reader, member, draft);
+        draft.nodes.push(DraftNode { member, node_type, inputs: Vec::new() });
+    }
+    for (at, member) in members.iter().enumerate() {
+        if let Some(value) = member.value.get("inputs") {
+            draft.nodes[at].inputs = read_inputs(reader, value, draft, at);
+        }
+    }
+    Some(())
+}
+
+/// Checks the keys of a node and finds its type.
+fn read_header<'d>(
+    reader: &mut Reader<'d>,
+    member: &'d Member,
+    draft: &Draft<'d>,
+) -> Option<NodeType> {
+    let what = || format!("node `{}`", shortened(&member.key));
+    let mut node_type = None;
+    let mut has_type = false;
+    let mut version = None;
+    let Some(members) = reader.members(&member.value, "a node") else { return None };
+    for part in members {
+        match part.key.as_str() {
+            "type" => {
+                has_type = true;
+                node_type = read_type(reader, &part.value, draft);
+            }
+            "doc" => {
+                reader.string(&part.value, "`doc`");
+            }
+            "version" => {
+                version = reader
+                    .integer(&part.value, "`version`", 0..=i64::from(i32::MAX))
+                    .map(|it| (it as i32, &part.value))
+            }
+            "inputs" | "editor" => {}
+            _ => reader.unknown_key(part, &what(), &KEYS),
+        }
+    }
+    if !has_type {
+        reader.missing(&member.value, &what(), "type");
+    }
+    if let (Some(node_type), Some((version, value))) = (node_type, version) {
+        check_version(reader, draft, node_type, version, value);
+    }
+    node_type
+}
+
+/// Version of every node type of the library.
+const LIBRARY_VERSION: i32 = 1;
+
+/// Reports a version that is not that of what is used; 0 asks for none.
+fn check_version(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    node_type: NodeType,
+    wanted: i32,
+    value: &Value,
+) {
+    let nested = draft.nested.get(&node_type);
+    let version = nested.map_or(LIBRARY_VERSION, |nested| nested.graph.version);
+    if wanted == 0 || wanted == version {
+        return;
+    }
+    let name = draft.library.signature(node_type).name;
+    let message = format!("`{name}` has version {version}, not {wanted}");
+    let help = format!("check what changed in it, then write `\"version\": {version}`");
+    reader.report(Code::VERSION_MISMATCH, value, message, help);
+}
+
+fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> Option<NodeType> {
+    if let Some(file) = nested::file_of(value) {
+        return draft.phenomena.get(file).copied().flatten();
+    }
+    if matches!(value.kind, ValueKind::Object(_)) {
+        let object = reader.object(value, "the type of a node", &["file"])?;
+        let file = object.required(reader, "file")?;
+        return reader.string(file, "`file`").and(None);
+    }
+    let name = reader.string(value, "the type of a node")?;
+    let found = draft.library.find(name).filter(|found| !draft.nested.contains_key(found));
+    if found.is_none() {
+        let names: Vec<&str> =
+            draft.library.iter().map(|(_, definition)| definition.signature.name).collect();
+        let near = draft.suggestions.nearest(name, names.iter().copied());
+        let help = match near {
+            Some(near) => near.help(),
+            None => "`phenomenon nodes` lists every type".into(),
+        };
+        let message = format!("there is no node type `{}`", shortened(name));
+        let mut finding =
+            Finding::new(Code::UNKNOWN_NODE_TYPE, reader.document.place(value), message, help);
+        finding.fix = near.and_then(|near| near.fix());
+        reader.findings.push(finding);
+    }
+    found
+}
+
+fn read_inputs<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    draft: &Draft<'d>,
+    node: usize,
+) -> Vec<DraftInput<'d>> {
+    let Some(members) = reader.members(value, "`inputs`") else { return Vec::new() };
+    let signature = draft.nodes[node].node_type.map(|it| draft.library.signature(it));
+    let mut inputs = Vec::new();
+    for member in members {
+        let input = signature.and_then(|signature| signature.input(&member.key));
+        if let Some(signature) = signature
+            && input.is_none()
+        {
+            let names = || signature.inputs.iter().map(|input| input.name);
+            let near = draft.suggestions.nearest(&member.key, names());
+            let help = match near {
+                Some(near) => near.help(),
+                None if signature.inputs.is_empty() => "it has no inputs".into(),
+                None => format!("its inputs are {}", listed(names())),
+            };
+            let place = reader.document.place_of_key(member);
+            let (name, kind) = (shortened(draft.name(node)), signature.name);
+            let message =
+                format!("node `{name}` ({kind}) has no input `{}`", shortened(&member.key));
+            let mut finding = Finding::new(Code::UNKNOWN_INPUT, place, message, help);
+            finding.fix = near.and_then(|near| near.fix());
+            reader.findings.push(finding);
+        }
+        let source = sources::read(reader, &member.value, draft);
+        inputs.push(DraftInput { member, input, source });
+    }
+    inputs
+}

@@ -1,0 +1,136 @@
+//! Reading what an input or a root is given: a literal, an interface parameter, a connection.
+
+use crate::diagnostics::{Code, Finding};
+use crate::document::{Reader, Value, ValueKind, listed, shortened};
+
+use super::draft::{Draft, Source, SourceKind};
+
+const HELP: &str = "write `{ \"node\": \"name\" }`, `{ \"node\": \"name\", \"output\": \"name\" }` or `{ \"interface\": \"name\" }`";
+
+/// Reads a source; the names in it are resolved, types are not looked at.
+pub(super) fn read<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> Source<'d> {
+    let kind = match &value.kind {
+        ValueKind::Object(_) if value.get("node").is_some() => connection(reader, value, draft),
+        ValueKind::Object(_) if value.get("interface").is_some() => parameter(reader, value, draft),
+        ValueKind::Object(_) => {
+            no_connection(reader, value);
+            SourceKind::Broken
+        }
+        ValueKind::Null => {
+            reader.wrong_kind(value, "an input", "a literal or a connection");
+            SourceKind::Broken
+        }
+        ValueKind::Boolean(_)
+        | ValueKind::Number(_)
+        | ValueKind::String(_)
+        | ValueKind::Array(_) => SourceKind::Literal,
+    };
+    Source { value, kind }
+}
+
+/// An object without `node` and `interface`: a misspelt one is one mistake.
+fn no_connection(reader: &mut Reader<'_>, value: &Value) {
+    if value.get("texture").is_some() || value.get("file").is_some() {
+        let message = "textures cannot be read yet";
+        reader.report(Code::WRONG_KIND, value, message, HELP);
+        return;
+    }
+    let keys = ["node", "output", "interface"];
+    let misspelt =
+        value.members().iter().find(|member| crate::document::nearest(&member.key, keys).is_some());
+    match misspelt.or(value.members().first()) {
+        Some(member) => reader.unknown_key(member, "a connection", &keys),
+        None => reader.report(Code::WRONG_KIND, value, "an empty object connects nothing", HELP),
+    }
+}
+
+fn connection<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> SourceKind {
+    let Some(object) = reader.object(value, "a connection", &["node", "output"]) else {
+        return SourceKind::Broken;
+    };
+    let Some(name) = object.optional("node").and_then(|node| reader.string(node, "`node`")) else {
+        return SourceKind::Broken;
+    };
+    let Some(&node) = draft.node_names.get(name) else {
+        unknown_node(reader, object.optional("node").unwrap_or(value), name, draft);
+        return SourceKind::Broken;
+    };
+    let Some(node_type) = draft.nodes[node].node_type else {
+        return SourceKind::Node(node, None);
+    };
+    let signature = draft.library.signature(node_type);
+    let Some(given) = object.optional("output") else { return SourceKind::Node(node, Some(0)) };
+    let Some(output) = reader.string(given, "`output`") else {
+        return SourceKind::Node(node, None);
+    };
+    let found = signature.output(output);
+    if found.is_none() {
+        let names = || signature.outputs.iter().map(|output| output.name);
+        let near = draft.suggestions.nearest(output, names());
+        let help = match near {
+            Some(near) => near.help(),
+            None => format!("its outputs are {}", listed(names())),
+        };
+        let message = format!(
+            "node `{}` ({}) has no output `{}`",
+            shortened(name),
+            signature.name,
+            shortened(output)
+        );
+        let place = reader.document.place(given);
+        let mut finding = Finding::new(Code::UNKNOWN_OUTPUT, place, message, help);
+        finding.fix = near.and_then(|near| near.fix());
+        reader.findings.push(finding);
+    }
+    SourceKind::Node(node, found)
+}
+
+fn unknown_node(reader: &mut Reader<'_>, value: &Value, name: &str, draft: &Draft<'_>) {
+    let near =
+        draft.suggestions.nearest(name, draft.nodes.iter().map(|node| node.member.key.as_str()));
+    let mut fix = near.and_then(|near| near.fix());
+    let help = match near {
+        Some(near) => near.help(),
+        None if draft.parameter_names.contains_key(name) => {
+            fix = None;
+            format!("for the interface parameter write `{{ \"interface\": \"{name}\" }}`")
+        }
+        None => format!("add a node `{}` to `nodes`, or connect another", shortened(name)),
+    };
+    let message = format!("there is no node `{}`", shortened(name));
+    let mut finding = Finding::new(Code::UNKNOWN_NODE, reader.document.place(value), message, help);
+    finding.fix = fix;
+    reader.findings.push(finding);
+}
+
+fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> SourceKind {
+    let Some(object) = reader.object(value, "a connection to the interface", &["interface"]) else {
+        return SourceKind::Broken;
+    };
+    let Some(given) = object.optional("interface") else { return SourceKind::Broken };
+    let Some(name) = reader.string(given, "`interface`") else { return SourceKind::Broken };
+    if let Some(&parameter) = draft.parameter_names.get(name) {
+        return SourceKind::Parameter(parameter);
+    }
+    let names = || draft.parameters.iter().map(|parameter| parameter.member.key.as_str());
+    let near = draft.suggestions.nearest(name, names());
+    let help = match near {
+        Some(near) => near.help(),
+        None if draft.node_names.contains_key(name) => {
+            format!("for the node write `{{ \"node\": \"{name}\" }}`")
+        }
+        None if draft.parameters.is_empty() => {
+            format!(
+                "declare it: `\"interface\": {{ \"{}\": {{ \"type\": …, \"default\": … }} }}`",
+                shortened(name)
+            )
+        }
+        None => format!("its parameters are {}", listed(names())),
+    };
+    let message = format!("the interface has no parameter `{}`", shortened(name));
+    let place = reader.document.place(given);
+    let mut finding = Finding::new(Code::UNKNOWN_PARAMETER, place, message, help);
+    finding.fix = near.and_then(|near| near.fix());
+    reader.findings.push(finding);
+    SourceKind::Broken
+}

@@ -1,0 +1,122 @@
+//! Types of generic nodes, resolved from what is connected to them.
+
+use crate::nodes::{NodeLibrary, NodeType, Type};
+
+use super::draft::{Draft, DraftNode, Source, SourceKind};
+use super::literals::natural_type;
+
+/// For each node, what [`Type::Generic`] stands for; none where that is not known, and for nodes
+/// without generic inputs.
+pub(super) struct Types {
+    generic: Vec<Option<Type>>,
+}
+
+impl Types {
+    /// What the generic inputs of a node are.
+    pub fn generic(&self, node: usize) -> Option<Type> {
+        self.generic[node]
+    }
+
+    /// The type of a source that is not a literal; none where it is not known.
+    pub fn of(&self, draft: &Draft<'_>, source: &Source<'_>) -> Option<Type> {
+        match source.kind {
+            SourceKind::Parameter(parameter) => draft.parameters[parameter].value_type,
+            SourceKind::Node(node, Some(output)) => {
+                let node_type = draft.nodes[node].node_type?;
+                match draft.library.signature(node_type).outputs[output].value_type {
+                    Type::Generic => self.generic[node],
+                    known => Some(known),
+                }
+            }
+            SourceKind::Node(_, None) | SourceKind::Literal | SourceKind::Broken => None,
+        }
+    }
+}
+
+/// Resolves every generic node. `order` has sources before what reads them, except in cycles.
+pub(super) fn resolve(draft: &Draft<'_>, order: &[usize]) -> Types {
+    let mut types = Types { generic: vec![None; draft.nodes.len()] };
+    for &node in order {
+        let drafted = &draft.nodes[node];
+        if let Some(node_type) = drafted.node_type
+            && draft.library.signature(node_type).is_generic()
+        {
+            types.generic[node] = resolve_node(draft, &types, drafted, node_type);
+        }
+    }
+    types
+}
+
+/// The widest type that arrives at generic inputs, as an overload has it.
+fn resolve_node(
+    draft: &Draft<'_>,
+    types: &Types,
+    node: &DraftNode<'_>,
+    node_type: NodeType,
+) -> Option<Type> {
+    let signature = draft.library.signature(node_type);
+    let mut widest: Option<Type> = None;
+    let mut vector = false;
+    let mut triple = false;
+    let mut unknown = false;
+    for input in &node.inputs {
+        let generic =
+            input.input.is_some_and(|at| signature.inputs[at].value_type == Type::Generic);
+        if !generic {
+            continue;
+        }
+        let arriving = match input.source.kind {
+            SourceKind::Literal => {
+                // Three numbers are a color, or a vector where another input is one.
+                let list = natural_type(input.source.value) == Some(Type::Color);
+                if list && is_triple(&input.source) {
+                    triple = true;
+                    continue;
+                }
+                natural_type(input.source.value)
+            }
+            _ => types.of(draft, &input.source),
+        };
+        match arriving {
+            Some(Type::Vector) => vector = true,
+            Some(Type::Boolean | Type::Lights) => {}
+            Some(found) => widest = Some(widest.map_or(found, |so_far| wider(so_far, found))),
+            None => unknown = true,
+        }
+    }
+    let resolved = match (widest, vector, triple) {
+        (Some(Type::Color), _, _) => Type::Color,
+        (_, true, _) => Type::Vector,
+        (_, false, true) => Type::Color,
+        // What is not known may be wider; to guess would only raise findings that follow from it.
+        _ if unknown => return None,
+        (Some(found), ..) => found,
+        (None, ..) => Type::Scalar,
+    };
+    overload_type(&draft.library, node_type, resolved)
+}
+
+fn is_triple(source: &Source<'_>) -> bool {
+    matches!(&source.value.kind, crate::document::ValueKind::Array(elements) if elements.len() == 3)
+}
+
+fn wider(a: Type, b: Type) -> Type {
+    if a.converts_to(b) { b } else { a }
+}
+
+/// The type of the first overload that takes `wanted`; else of the first there is, so that the
+/// mismatch is reported against something.
+fn overload_type(library: &NodeLibrary, node_type: NodeType, wanted: Type) -> Option<Type> {
+    let overloads = &library.definition(node_type).overloads;
+    let exact = overloads.iter().find(|overload| overload.generic == Some(wanted));
+    let converting = overloads
+        .iter()
+        .find(|overload| overload.generic.is_some_and(|generic| wanted.converts_to(generic)));
+    exact.or(converting).or(overloads.first()).and_then(|overload| overload.generic)
+}
+
+/// Position of the overload for a resolved type; 0 for nodes without generic inputs.
+pub(super) fn overload(library: &NodeLibrary, node_type: NodeType, generic: Option<Type>) -> usize {
+    let overloads = &library.definition(node_type).overloads;
+    overloads.iter().position(|overload| overload.generic == generic).unwrap_or(0)
+}

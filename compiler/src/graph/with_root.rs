@@ -1,0 +1,243 @@
+//! Looking at one node: its output as the material of the graph.
+
+use std::collections::HashSet;
+
+use thiserror::Error;
+
+use super::{Binding, Graph, Node, Root, RootKind};
+use crate::check::reads_light;
+use crate::nodes::{Kind, NodeLibrary, NodeType, Type};
+use crate::state::Field;
+
+/// Why an output cannot be a root.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum WithRootError {
+    /// The output depends on the light sample, which exists in the body of a loop only.
+    #[error(
+        "`{node}` reads the light sample and has a value inside a light loop only; \
+         choose the loop, or a node outside it"
+    )]
+    InsideLightLoop {
+        /// The node.
+        node: String,
+    },
+    /// The output is uniform: no value at points.
+    #[error("output `{output}` of `{node}` is {type_name}, which is no value to look at")]
+    NotAValue {
+        /// The node.
+        node: String,
+        /// The output.
+        output: String,
+        /// Its type.
+        type_name: &'static str,
+    },
+    /// The library lacks a node that makes colours of such values.
+    #[error("the node library has no `{name}`, which looking at a {type_name} takes")]
+    NoConversion {
+        /// The node it takes.
+        name: &'static str,
+        /// The type of the output.
+        type_name: &'static str,
+    },
+}
+
+impl Graph {
+    /// The type of an output of a node, by positions.
+    pub fn output_type(&self, library: &NodeLibrary, node: usize, output: usize) -> Type {
+        let Node { node_type, overload, .. } = &self.nodes[node];
+        let definition = library.definition(*node_type);
+        match definition.signature.outputs[output].value_type {
+            Type::Generic => definition.overloads[*overload].generic.unwrap_or(Type::Generic),
+            other => other,
+        }
+    }
+
+    /// This graph with an output of a node, by positions, for its material, to look at the node
+    /// alone. A number is shown as grey, a vector by its components as red, green and blue, a
+    /// truth value as black or white. Other roots stay.
+    ///
+    /// # Errors
+    /// The output has no value outside a light loop, or is no value at all.
+    pub fn with_root(
+        &self,
+        library: &NodeLibrary,
+        node: usize,
+        output: usize,
+    ) -> Result<Graph, WithRootError> {
+        if self.reads_light_sample(library, node, output) {
+            return Err(WithRootError::InsideLightLoop { node: self.nodes[node].name.clone() });
+        }
+        let mut graph = self.clone();
+        let value = Binding::Node { node, output };
+        let color = match self.output_type(library, node, output) {
+            Type::Color | Type::Scalar | Type::Integer => value,
+            Type::Vector => {
+                let split = graph.append(library, "split_vector", None, vec![value])?;
+                let component = |output| Binding::Node { node: split, output };
+                let inputs = vec![component(0), component(1), component(2), Binding::Default];
+                let combined = graph.append(library, "combine_color", None, inputs)?;
+                Binding::Node { node: combined, output: 0 }
+            }
+            Type::Boolean => {
+                let inputs = vec![value, Binding::Default, Binding::Default];
+                let chosen = graph.append(library, "select", Some(Type::Scalar), inputs)?;
+                Binding::Node { node: chosen, output: 0 }
+            }
+            other @ (Type::Lights | Type::Generic) => {
+                let signature = library.signature(self.nodes[node].node_type);
+                return Err(WithRootError::NotAValue {
+                    node: self.nodes[node].name.clone(),
+                    output: signature.outputs[output].name.into(),
+                    type_name: other.name(),
+                });
+            }
+        };
+        graph.roots.retain(|root| root.kind != RootKind::Material);
+        graph.roots.push(Root { kind: RootKind::Material, color, ok: Binding::Default });
+        Ok(graph)
+    }
+
+    /// Adds a node of the type called `name`, under a name no file can give one.
+    fn append(
+        &mut self,
+        library: &NodeLibrary,
+        name: &'static str,
+        generic: Option<Type>,
+        inputs: Vec<Binding>,
+    ) -> Result<usize, WithRootError> {
+        let type_name = generic.unwrap_or(Type::Vector).name();
+        let missing = WithRootError::NoConversion { name, type_name };
+        let node_type = library.find(name).ok_or_else(|| missing.clone())?;
+        let definition = library.definition(node_type);
+        let overload = definition.overloads.iter().position(|form| form.generic == generic);
+        let fits = definition.signature.inputs.len() == inputs.len();
+        let overload = overload.filter(|_| fits).ok_or(missing)?;
+        self.nodes.push(Node { name: format!("({name})"), node_type, overload, inputs });
+        Ok(self.nodes.len() - 1)
+    }
+
+    /// Whether an output depends on the light sample otherwise than through the body of a loop.
+    fn reads_light_sample(&self, library: &NodeLibrary, node: usize, output: usize) -> bool {
+        let mut seen = HashSet::from([(node, output)]);
+        let mut waiting = vec![(node, output)];
+        while let Some((node, output)) = waiting.pop() {
+            let Node { node_type, inputs, .. } = &self.nodes[node];
+            if is_of_light(library, *node_type, output) {
+                return true;
+            }
+            let signature = library.signature(*node_type);
+            for (at, (input, binding)) in signature.inputs.iter().zip(inputs).enumerate() {
+                if input.scoped && signature.kind == Kind::LightLoop {
+                    continue;
+                }
+                match binding {
+                    Binding::Node { node, output } if seen.insert((*node, *output)) => {
+                        waiting.push((*node, *output));
+                    }
+                    Binding::Default if reads_light(library, *node_type, at) => return true,
+                    _ => {}
+                }
+            }
+        }
+        false
+    }
+}
+
+/// Whether an output of a node type is of the light sample by itself.
+fn is_of_light(library: &NodeLibrary, node_type: NodeType, output: usize) -> bool {
+    match &library.signature(node_type).kind {
+        Kind::Fields(fields) => fields.get(output).copied().is_some_and(Field::is_of_light),
+        Kind::Request(effect) => effect.reads().iter().any(|field| field.is_of_light()),
+        Kind::Plain | Kind::Scope(_) | Kind::LightLoop => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::check::check_graph;
+    use crate::document;
+    use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+    use crate::engine::{Engine, Options, Shade, Shaded, Shader};
+    use crate::state::State;
+
+    struct Nothing;
+
+    impl Renderer for Nothing {
+        fn trace(&mut self, _: Effect, _: &[Ray], answers: &mut [Answer]) {
+            answers.fill(Answer::default());
+        }
+        fn light_list(&mut self, _: &[String]) -> LightList {
+            LightList(0)
+        }
+        fn light_count(&mut self, _: LightList) -> usize {
+            0
+        }
+        fn light_samples(
+            &mut self,
+            _: LightList,
+            _: usize,
+            _: &[State],
+            samples: &mut [LightSample],
+        ) {
+            samples.fill(LightSample::default());
+        }
+        fn light_colors(&mut self, _: LightList, _: usize, _: &[State], colors: &mut [[f32; 3]]) {
+            colors.fill([0.0; 3]);
+        }
+    }
+
+    const GRAPH: &str = r#"{
+        "phenomenon": "looked_at", "version": 1,
+        "nodes": {
+            "state": { "type": "state" },
+            "sum": { "type": "add", "inputs": { "a": { "node": "state", "output": "normal" },
+                                                "b": [0.5, -0.0, 1e-40] } },
+            "inside": { "type": "lambert" },
+            "lit": { "type": "light_loop", "inputs": { "body": { "node": "inside" } } }
+        },
+        "roots": { "material": { "node": "lit" } }
+    }"#;
+
+    fn graph(library: &NodeLibrary) -> Graph {
+        let document = document::read("looked_at.json", GRAPH.as_bytes()).unwrap();
+        let checked = check_graph(&document, library);
+        checked.graph.unwrap_or_else(|| panic!("{:?}", checked.findings))
+    }
+
+    fn shaded(graph: Graph, library: &Arc<NodeLibrary>, engine: Engine) -> [u32; 4] {
+        let options = Options { engine, ..Options::default() };
+        let shader = Shader::new(Arc::new(graph), Arc::clone(library), &[], options).unwrap();
+        let mut results = [Shaded::default()];
+        shader.shade(RootKind::Material, &[State::default()], &mut Nothing, &mut results);
+        results[0].color.map(f32::to_bits)
+    }
+
+    #[test]
+    fn every_type_is_looked_at_to_the_bit() {
+        let library = Arc::new(NodeLibrary::standard());
+        let graph = graph(&library);
+        let field = |name: &str| {
+            let position = Field::ALL.iter().position(|field| field.name() == name).unwrap();
+            graph.with_root(&library, 0, position).unwrap()
+        };
+        for engine in [Engine::Walk, Engine::Batch] {
+            let vector = shaded(graph.with_root(&library, 1, 0).unwrap(), &library, engine);
+            assert_eq!(vector, [0.5, 0.0, 1.0 + 1e-40, 1.0].map(f32::to_bits));
+            assert_eq!(shaded(field("dot_nd"), &library, engine)[0], (-1.0_f32).to_bits());
+            assert_eq!(shaded(field("inv_normal"), &library, engine)[0], 0);
+            assert_eq!(shaded(field("ray_type"), &library, engine)[0], 0);
+        }
+    }
+
+    #[test]
+    fn what_reads_the_light_sample_has_no_value_outside_its_loop() {
+        let library = NodeLibrary::standard();
+        let graph = graph(&library);
+        let error = graph.with_root(&library, 2, 0).unwrap_err();
+        assert_eq!(error, WithRootError::InsideLightLoop { node: "inside".into() });
+        assert!(graph.with_root(&library, 3, 0).is_ok());
+    }
+}

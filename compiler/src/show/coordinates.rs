@@ -1,0 +1,243 @@
+//! How high each vertex stands: as level with its neighbours as the order of its column allows.
+
+use super::order::Columns;
+use super::routes::{Body, Routes, Vertex};
+
+/// Passes over all columns.
+const PASSES: usize = 32;
+/// The last passes go by the median: it makes most wires level instead of all of them nearly so.
+const MEDIAN_PASSES: usize = 8;
+/// Between two boxes.
+const CARD_GAP: f64 = 20.0;
+/// Between a box and a passing wire.
+const WIRE_GAP: f64 = 12.0;
+/// Between two passing wires.
+const LANE_GAP: f64 = 4.0;
+
+/// The middle of each vertex; the smallest top is 0.
+pub(super) fn coordinates(routes: &Routes, columns: &Columns) -> Vec<f64> {
+    let pulls = Pulls::new(routes);
+    let mut middles = stacked(routes, columns);
+    for pass in 0..PASSES {
+        let side = match (pass < PASSES / 2, pass % 2 == 0) {
+            (true, true) => Side::Left,
+            (true, false) => Side::Right,
+            (false, _) => Side::Both,
+        };
+        let median = pass + MEDIAN_PASSES >= PASSES;
+        let count = columns.len();
+        for step in 0..count {
+            let column = &columns[if pass % 2 == 0 { step } else { count - 1 - step }];
+            settle(routes, column, &pulls, side, median, &mut middles);
+        }
+    }
+    straighten(routes, columns, &mut middles);
+    let top = middles.iter().zip(&routes.vertices).map(|(y, vertex)| y - vertex.height / 2.0);
+    let top = top.fold(f64::INFINITY, f64::min);
+    middles.iter().map(|y| y - top).collect()
+}
+
+/// Which neighbours count.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    Left,
+    Right,
+    Both,
+}
+
+/// A neighbour: where this vertex would have to stand for the wire to be level.
+#[derive(Clone, Copy)]
+struct Pull {
+    vertex: usize,
+    shift: f64,
+    weight: f64,
+}
+
+struct Pulls {
+    left: Vec<Vec<Pull>>,
+    right: Vec<Vec<Pull>>,
+}
+
+impl Pulls {
+    fn new(routes: &Routes) -> Self {
+        let mut left = vec![Vec::new(); routes.vertices.len()];
+        let mut right = vec![Vec::new(); routes.vertices.len()];
+        for segment in &routes.segments {
+            let (shift, weight) = (segment.from_offset - segment.to_offset, segment.weight);
+            left[segment.to].push(Pull { vertex: segment.from, shift, weight });
+            right[segment.from].push(Pull { vertex: segment.to, shift: -shift, weight });
+        }
+        Self { left, right }
+    }
+
+    /// Where `vertex` wants to stand, and how much.
+    fn wish(&self, vertex: usize, side: Side, median: bool, middles: &[f64]) -> Option<(f64, f64)> {
+        let (left, right) = (&self.left[vertex], &self.right[vertex]);
+        let (left, right): (&[Pull], &[Pull]) = match side {
+            Side::Left if !left.is_empty() => (left, &[]),
+            Side::Right if !right.is_empty() => (&[], right),
+            _ => (left, right),
+        };
+        let mut wishes: Vec<(f64, f64)> = left
+            .iter()
+            .chain(right)
+            .map(|pull| (middles[pull.vertex] + pull.shift, pull.weight))
+            .collect();
+        let weight: f64 = wishes.iter().map(|wish| wish.1).sum();
+        if wishes.is_empty() {
+            return None;
+        }
+        if !median {
+            let sum: f64 = wishes.iter().map(|wish| wish.0 * wish.1).sum();
+            return Some((sum / weight, weight));
+        }
+        wishes.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut below = 0.0;
+        for &(place, own) in &wishes {
+            below += own;
+            if below * 2.0 >= weight {
+                return Some((place, weight));
+            }
+        }
+        None
+    }
+}
+
+/// Least distance of the middles of two vertices, the first above the second.
+fn distance(upper: &Vertex, lower: &Vertex) -> f64 {
+    let gap = match (upper.body, lower.body) {
+        (Body::Bend, Body::Bend) => LANE_GAP,
+        (Body::Card(_), Body::Card(_)) => CARD_GAP,
+        _ => WIRE_GAP,
+    };
+    upper.height / 2.0 + gap + lower.height / 2.0
+}
+
+/// Every column piled up, its middle at 0.
+fn stacked(routes: &Routes, columns: &Columns) -> Vec<f64> {
+    let mut middles = vec![0.0; routes.vertices.len()];
+    for column in columns {
+        let places = offsets(routes, column);
+        let half = places.last().copied().unwrap_or(0.0) / 2.0;
+        for (&vertex, place) in column.iter().zip(places) {
+            middles[vertex] = place - half;
+        }
+    }
+    middles
+}
+
+/// The middles of a column's vertices when they stand as close as they may, the first at 0.
+fn offsets(routes: &Routes, column: &[usize]) -> Vec<f64> {
+    let mut places = vec![0.0; column.len()];
+    for at in 1..column.len() {
+        let (upper, lower) = (column[at - 1], column[at]);
+        places[at] = places[at - 1] + distance(&routes.vertices[upper], &routes.vertices[lower]);
+    }
+    places
+}
+
+/// Moves a column's vertices as near to their wishes as their order and distances allow, in the
+/// least squares sense: isotonic regression by pooling adjacent violators.
+fn settle(
+    routes: &Routes,
+    column: &[usize],
+    pulls: &Pulls,
+    side: Side,
+    median: bool,
+    middles: &mut [f64],
+) {
+    struct Pool {
+        sum: f64,
+        weight: f64,
+        members: usize,
+    }
+    let offsets = offsets(routes, column);
+    let mut pools: Vec<Pool> = Vec::with_capacity(column.len());
+    for (&vertex, offset) in column.iter().zip(&offsets) {
+        let (wish, weight) =
+            pulls.wish(vertex, side, median, middles).unwrap_or((middles[vertex], 0.05));
+        let mut pool = Pool { sum: (wish - offset) * weight, weight, members: 1 };
+        while let Some(above) = pools.last() {
+            if above.sum / above.weight <= pool.sum / pool.weight {
+                break;
+            }
+            pool.sum += above.sum;
+            pool.weight += above.weight;
+            pool.members += above.members;
+            pools.pop();
+        }
+        pools.push(pool);
+    }
+    let places =
+        pools.iter().flat_map(|pool| std::iter::repeat_n(pool.sum / pool.weight, pool.members));
+    for ((&vertex, offset), place) in column.iter().zip(offsets).zip(places) {
+        middles[vertex] = place + offset;
+    }
+}
+
+/// Makes the bends of a wire level over as many columns as there is room for.
+fn straighten(routes: &Routes, columns: &Columns, middles: &mut [f64]) {
+    let mut next: Vec<Option<usize>> = vec![None; routes.vertices.len()];
+    let mut starts: Vec<usize> = Vec::new();
+    for segment in &routes.segments {
+        let is_bend = |vertex: usize| routes.vertices[vertex].body == Body::Bend;
+        match (is_bend(segment.from), is_bend(segment.to)) {
+            (true, true) => next[segment.from] = Some(segment.to),
+            (false, true) => starts.push(segment.to),
+            _ => {}
+        }
+    }
+    let mut rows = vec![0; routes.vertices.len()];
+    for column in columns {
+        for (row, &vertex) in column.iter().enumerate() {
+            rows[vertex] = row;
+        }
+    }
+    for start in starts {
+        let mut run = Vec::new();
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let mut at = Some(start);
+        while let Some(vertex) = at {
+            let column = &columns[routes.vertices[vertex].layer];
+            let (own_low, own_high) = freedom(routes, column, rows[vertex], middles);
+            if own_low.max(low) > own_high.min(high) {
+                level(&run, low, high, middles);
+                run.clear();
+                (low, high) = (own_low, own_high);
+            } else {
+                (low, high) = (low.max(own_low), high.min(own_high));
+            }
+            run.push(vertex);
+            at = next[vertex];
+        }
+        level(&run, low, high, middles);
+    }
+}
+
+/// How high and how low the vertex in `row` may go while its neighbours stay.
+fn freedom(routes: &Routes, column: &[usize], row: usize, middles: &[f64]) -> (f64, f64) {
+    let vertex = |row: usize| &routes.vertices[column[row]];
+    let low = match row.checked_sub(1) {
+        Some(above) => middles[column[above]] + distance(vertex(above), vertex(row)),
+        None => f64::NEG_INFINITY,
+    };
+    let high = match column.get(row + 1) {
+        Some(&below) => middles[below] - distance(vertex(row), vertex(row + 1)),
+        None => f64::INFINITY,
+    };
+    // Rounding may leave them a hair apart in the wrong order.
+    (low, high.max(low))
+}
+
+/// Puts a run of bends at one height between `low` and `high`.
+fn level(run: &[usize], low: f64, high: f64, middles: &mut [f64]) {
+    if run.is_empty() {
+        return;
+    }
+    let mut heights: Vec<f64> = run.iter().map(|&vertex| middles[vertex]).collect();
+    heights.sort_by(f64::total_cmp);
+    let height = heights[heights.len() / 2].max(low).min(high);
+    for &vertex in run {
+        middles[vertex] = height;
+    }
+}

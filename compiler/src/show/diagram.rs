@@ -1,0 +1,369 @@
+//! What is drawn: cards with sockets, and wires between them, before anything has a place.
+
+use crate::effects::Effect;
+use crate::graph::{Binding, Graph, Root};
+use crate::nodes::{Definition, Input, Kind, NodeLibrary, Type};
+
+use super::ShowError;
+use super::theme::Accent;
+use super::values::{self, Value};
+
+/// All that is drawn of a graph: its parameters first, then its nodes, then its roots.
+pub(super) struct Diagram<'a> {
+    /// Name of the graph.
+    pub name: &'a str,
+    /// Boxes.
+    pub cards: Vec<Card<'a>>,
+    /// Connections.
+    pub wires: Vec<Wire>,
+    /// How many of the cards are parameters.
+    pub parameters: usize,
+    /// How many of the cards are nodes.
+    pub nodes: usize,
+}
+
+/// What a card stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    /// A parameter of the interface.
+    Parameter,
+    /// A node.
+    Node,
+    /// A root.
+    Root,
+}
+
+/// A box.
+pub(super) struct Card<'a> {
+    /// What it stands for.
+    pub role: Role,
+    /// Its name.
+    pub title: &'a str,
+    /// Its type.
+    pub subtitle: &'a str,
+    /// A longer text for those who point at it.
+    pub doc: &'a str,
+    /// What it asks of the renderer, or does to the state.
+    pub badge: Option<(Accent, String)>,
+    /// Whether no root reaches it.
+    pub dead: bool,
+    /// For parameters: the default.
+    pub value: Option<Value>,
+    /// Left side, from the top.
+    pub inputs: Vec<InputSocket>,
+    /// Right side, from the top: those in use.
+    pub outputs: Vec<OutputSocket<'a>>,
+}
+
+/// An input.
+pub(super) struct InputSocket {
+    /// Its name.
+    pub name: &'static str,
+    /// Its type, generic ones settled.
+    pub value_type: Type,
+    /// Evaluated only where needed.
+    pub guarded: bool,
+    /// Evaluated under a changed state, or many times.
+    pub scoped: bool,
+    /// What stands beside the name.
+    pub given: Given,
+}
+
+/// Where an input's value comes from, as far as it is told in its row.
+pub(super) enum Given {
+    /// A wire, which tells it.
+    Wire,
+    /// A parameter of this name.
+    Parameter(String),
+    /// A literal.
+    Literal(Value),
+    /// The default of the signature.
+    Default(Value),
+}
+
+/// An output in use.
+pub(super) struct OutputSocket<'a> {
+    /// Its name; empty for a parameter.
+    pub name: &'a str,
+    /// Its type, generic ones settled.
+    pub value_type: Type,
+}
+
+/// A connection.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Wire {
+    /// Card and position in its outputs.
+    pub from: (usize, usize),
+    /// Card and position in its inputs.
+    pub to: (usize, usize),
+    /// Whether the value changes type on arrival.
+    pub converts: bool,
+    /// Whether no root is reached through it.
+    pub dead: bool,
+}
+
+impl<'a> Diagram<'a> {
+    /// What is drawn of `graph`.
+    pub fn new(graph: &'a Graph, library: &'a NodeLibrary) -> Result<Self, ShowError> {
+        Self::with_limit(graph, library, usize::MAX)
+    }
+
+    /// The same, unless that would be more than `limit` cards.
+    pub fn with_limit(
+        graph: &'a Graph,
+        library: &'a NodeLibrary,
+        limit: usize,
+    ) -> Result<Self, ShowError> {
+        let boxes = graph.parameters.len() + graph.nodes.len() + graph.roots.len();
+        if boxes > limit {
+            return Err(ShowError::TooManyBoxes { boxes, limit });
+        }
+        let builder = Builder { graph, definitions: definitions(graph, library)? };
+        builder.require_bindings()?;
+        Ok(builder.diagram())
+    }
+}
+
+/// The definition of each node.
+fn definitions<'a>(
+    graph: &'a Graph,
+    library: &'a NodeLibrary,
+) -> Result<Vec<&'a Definition>, ShowError> {
+    let known = library.iter().count();
+    graph
+        .nodes
+        .iter()
+        .map(|node| {
+            if node.node_type.0 >= known {
+                return Err(inconsistent(&node.name, "its type is unknown"));
+            }
+            let definition = library.definition(node.node_type);
+            if node.inputs.len() != definition.signature.inputs.len()
+                || node.overload >= definition.overloads.len()
+            {
+                return Err(inconsistent(&node.name, "its inputs are not those of its type"));
+            }
+            Ok(definition)
+        })
+        .collect()
+}
+
+fn inconsistent(place: &str, problem: &str) -> ShowError {
+    ShowError::Inconsistent { place: place.to_owned(), problem: problem.to_owned() }
+}
+
+struct Builder<'a> {
+    graph: &'a Graph,
+    definitions: Vec<&'a Definition>,
+}
+
+impl<'a> Builder<'a> {
+    fn require_bindings(&self) -> Result<(), ShowError> {
+        let require = |place: &str, binding: &Binding| match *binding {
+            Binding::Parameter(at) if at >= self.graph.parameters.len() => {
+                Err(inconsistent(place, "it names a parameter that does not exist"))
+            }
+            Binding::Node { node, output } => match self.definitions.get(node) {
+                Some(definition) if output < definition.signature.outputs.len() => Ok(()),
+                _ => Err(inconsistent(place, "it names an output that does not exist")),
+            },
+            _ => Ok(()),
+        };
+        for node in &self.graph.nodes {
+            node.inputs.iter().try_for_each(|binding| require(&node.name, binding))?;
+        }
+        for root in &self.graph.roots {
+            require(root.kind.name(), &root.color)?;
+            require(root.kind.name(), &root.ok)?;
+        }
+        Ok(())
+    }
+
+    fn diagram(&self) -> Diagram<'a> {
+        let parameters = self.graph.parameters.len();
+        let nodes = self.graph.nodes.len();
+        let mut cards: Vec<Card<'a>> = Vec::with_capacity(parameters + nodes);
+        cards.extend((0..parameters).map(|at| self.parameter_card(at)));
+        cards.extend((0..nodes).map(|at| self.node_card(at)));
+        cards.extend(self.graph.roots.iter().map(|root| self.root_card(root)));
+        let mut diagram =
+            Diagram { name: &self.graph.name, cards, wires: Vec::new(), parameters, nodes };
+        self.connect(&mut diagram);
+        mark_dead(&mut diagram);
+        diagram
+    }
+
+    fn parameter_card(&self, at: usize) -> Card<'a> {
+        let parameter = &self.graph.parameters[at];
+        Card {
+            role: Role::Parameter,
+            title: &parameter.name,
+            subtitle: parameter.value_type.name(),
+            doc: &parameter.doc,
+            badge: None,
+            dead: true,
+            value: Some(values::literal(&parameter.default)),
+            inputs: Vec::new(),
+            outputs: vec![OutputSocket { name: "", value_type: parameter.value_type }],
+        }
+    }
+
+    fn node_card(&self, at: usize) -> Card<'a> {
+        let (node, definition) = (&self.graph.nodes[at], self.definitions[at]);
+        let signature = &definition.signature;
+        let inputs = signature.inputs.iter().zip(&node.inputs);
+        Card {
+            role: Role::Node,
+            title: &node.name,
+            subtitle: signature.name,
+            doc: &signature.doc,
+            badge: badge(&signature.kind),
+            dead: true,
+            value: None,
+            inputs: inputs.map(|(input, binding)| self.input(at, input, binding)).collect(),
+            outputs: Vec::new(),
+        }
+    }
+
+    fn root_card(&self, root: &Root) -> Card<'a> {
+        let socket = |name, value_type, binding: &Binding| InputSocket {
+            name,
+            value_type,
+            guarded: false,
+            scoped: false,
+            given: match self.given(binding) {
+                Some(given) => given,
+                None => Given::Default(Value::plain("true")),
+            },
+        };
+        let mut inputs = vec![socket("color", Type::Color, &root.color)];
+        if root.ok != Binding::Default {
+            inputs.push(socket("ok", Type::Boolean, &root.ok));
+        }
+        Card {
+            role: Role::Root,
+            title: root.kind.name(),
+            subtitle: "root",
+            doc: "",
+            badge: None,
+            dead: false,
+            value: None,
+            inputs,
+            outputs: Vec::new(),
+        }
+    }
+
+    fn input(&self, at: usize, input: &Input, binding: &Binding) -> InputSocket {
+        let value_type = self.settled(at, input.value_type);
+        let given = self.given(binding);
+        InputSocket {
+            name: input.name,
+            value_type,
+            guarded: input.guarded,
+            scoped: input.scoped,
+            given: given
+                .unwrap_or_else(|| Given::Default(values::default(&input.default, value_type))),
+        }
+    }
+
+    /// What a binding tells of a value; none where it gives nothing.
+    fn given(&self, binding: &Binding) -> Option<Given> {
+        match binding {
+            Binding::Default => None,
+            Binding::Literal(literal) => Some(Given::Literal(values::literal(literal))),
+            Binding::Parameter(at) => {
+                Some(Given::Parameter(self.graph.parameters[*at].name.clone()))
+            }
+            Binding::Node { .. } => Some(Given::Wire),
+        }
+    }
+
+    fn settled(&self, at: usize, value_type: Type) -> Type {
+        let overload = &self.definitions[at].overloads[self.graph.nodes[at].overload];
+        match (value_type, overload.generic) {
+            (Type::Generic, Some(generic)) => generic,
+            _ => value_type,
+        }
+    }
+
+    /// Adds the wires, and the outputs they start from in the order of the signature.
+    fn connect(&self, diagram: &mut Diagram<'a>) {
+        let first_root = diagram.parameters + diagram.nodes;
+        let mut ends = Vec::new();
+        for (at, node) in self.graph.nodes.iter().enumerate() {
+            let bindings = node.inputs.iter().enumerate();
+            ends.extend(bindings.map(|(k, binding)| ((diagram.parameters + at, k), binding)));
+        }
+        for (at, root) in self.graph.roots.iter().enumerate() {
+            ends.push(((first_root + at, 0), &root.color));
+            ends.push(((first_root + at, 1), &root.ok));
+        }
+        let used = self.used_outputs(&ends);
+        for (at, used) in used.iter().enumerate() {
+            let outputs = &self.definitions[at].signature.outputs;
+            let used = outputs.iter().zip(used).filter(|(_, used)| **used);
+            let sockets = used.map(|(output, _)| OutputSocket {
+                name: output.name,
+                value_type: self.settled(at, output.value_type),
+            });
+            diagram.cards[diagram.parameters + at].outputs = sockets.collect();
+        }
+        for (to, binding) in ends {
+            let from = match *binding {
+                Binding::Parameter(at) => (at, 0),
+                Binding::Node { node, output } => {
+                    let before = used[node][..output].iter().filter(|used| **used).count();
+                    (diagram.parameters + node, before)
+                }
+                Binding::Default | Binding::Literal(_) => continue,
+            };
+            let from_type = diagram.cards[from.0].outputs[from.1].value_type;
+            let to_type = diagram.cards[to.0].inputs[to.1].value_type;
+            diagram.wires.push(Wire { from, to, converts: from_type != to_type, dead: true });
+        }
+    }
+
+    /// For each node and output, whether something is connected to it.
+    fn used_outputs(&self, ends: &[((usize, usize), &Binding)]) -> Vec<Vec<bool>> {
+        let outputs = self.definitions.iter().map(|definition| definition.signature.outputs.len());
+        let mut used: Vec<Vec<bool>> = outputs.map(|count| vec![false; count]).collect();
+        for (_, binding) in ends {
+            if let Binding::Node { node, output } = **binding {
+                used[node][output] = true;
+            }
+        }
+        used
+    }
+}
+
+/// What is said in the header of a node.
+fn badge(kind: &Kind) -> Option<(Accent, String)> {
+    match kind {
+        Kind::Plain => None,
+        Kind::Fields(_) => Some((Accent::State, "state".to_owned())),
+        Kind::Request(Effect::LightColor) => Some((Accent::Light, "light".to_owned())),
+        Kind::Request(_) => Some((Accent::Ray, "ray".to_owned())),
+        Kind::LightLoop => Some((Accent::Light, "light loop".to_owned())),
+        Kind::Scope(_) => Some((Accent::Scope, "scope".to_owned())),
+    }
+}
+
+/// Finds what a root reaches. Iterative: chains may be long.
+fn mark_dead(diagram: &mut Diagram<'_>) {
+    let mut incoming: Vec<Vec<usize>> = vec![Vec::new(); diagram.cards.len()];
+    for (at, wire) in diagram.wires.iter().enumerate() {
+        incoming[wire.to.0].push(at);
+    }
+    let mut open: Vec<usize> = (diagram.parameters + diagram.nodes..diagram.cards.len()).collect();
+    while let Some(card) = open.pop() {
+        for &at in &incoming[card] {
+            let wire = &mut diagram.wires[at];
+            wire.dead = false;
+            let source = &mut diagram.cards[wire.from.0];
+            if source.dead {
+                source.dead = false;
+                open.push(wire.from.0);
+            }
+        }
+    }
+}

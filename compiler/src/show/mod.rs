@@ -1,0 +1,48 @@
+//! Drawings of a graph: SVG for people, DOT for Graphviz.
+//!
+//! ```
+//! use phenomenon_compiler::graph::{Binding, Graph, Node, Root, RootKind};
+//! use phenomenon_compiler::nodes::NodeLibrary;
+//! use phenomenon_compiler::show::{draw_dot, draw_svg};
+//! # fn graph(library: &NodeLibrary) -> Graph {
+//! #     let text = br#"{ "phenomenon": "mirror", "version": 1,
+//! #         "nodes": { "mirror": { "type": "trace_reflection" } },
+//! #         "roots": { "material": { "node": "mirror", "output": "color" } } }"#;
+//! #     let document = phenomenon_compiler::document::read("mirror.json", text).unwrap();
+//! #     phenomenon_compiler::check::check_graph(&document, library).graph.unwrap()
+//! # }
+//!
+//! let library = NodeLibrary::standard();
+//! let graph = graph(&library);
+//! assert!(draw_svg(&graph, &library)?.starts_with("<svg "));
+//! assert!(draw_dot(&graph, &library)?.starts_with("digraph "));
+//! # Ok::<(), phenomenon_compiler::show::ShowError>(())
+//! ```
+//!
+//! The way of an SVG: a [`diagram`] says what is drawn, [`frames`] how large each box is,
+//! [`layers`] in which column it stands, [`routes`] where long wires pass through columns, [`order`]
+//! who stands above whom, [`coordinates`] where exactly, and [`svg`] writes it down. Nothing depends
+//! on hashes, time or addresses: the same graph gives the same bytes.
+
+mod coordinates;
+mod diagram;
+mod dot;
+mod error;
+mod escape;
+mod frames;
+mod layers;
+mod layout;
+mod legend;
+mod order;
+mod routes;
+mod svg;
+mod text;
+mod theme;
+mod values;
+
+#[cfg(test)]
+mod tests;
+
+pub use dot::draw_dot;
+pub use error::{MAX_BOXES, ShowError};
+pub use svg::draw_svg;

@@ -1,0 +1,211 @@
+//! Building the tree, and finding the nearest hit or every hit of a ray.
+
+use glam::Vec3A;
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
+use obvhs::cwbvh::CwBvh;
+use obvhs::cwbvh::bvh2_to_cwbvh::bvh2_to_cwbvh;
+use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
+
+use super::node::BoxRay;
+use crate::geometry::{PreparedRay, Primitive, RawHit};
+
+/// Deepest tree that is traversed; the stack of a traversal has this many entries.
+const DEPTH_LIMIT: usize = 64;
+
+/// Most primitives of a scene.
+const PRIMITIVE_LIMIT: usize = 1 << 28;
+
+/// Why no tree could be built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum TreeError {
+    /// The scene has too many primitives.
+    #[error("the scene has {0} primitives; the limit is {PRIMITIVE_LIMIT}")]
+    TooManyPrimitives(usize),
+    /// The tree came out too deep.
+    #[error("the primitives nest too deeply for the tree ({0} levels; the limit is {DEPTH_LIMIT})")]
+    TooDeep(usize),
+}
+
+/// Which instance a primitive belongs to, and its number in it. Ordered: of two hits at the same
+/// distance the lower one counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct PrimitiveId {
+    /// Instance number.
+    pub instance: u32,
+    /// Primitive number within the instance.
+    pub primitive: u32,
+}
+
+/// Primitives in a bounding volume hierarchy.
+#[derive(Debug, Default)]
+pub struct Tree {
+    nodes: CwBvh,
+    /// In the order of the tree's leaves.
+    primitives: Vec<Primitive>,
+    ids: Vec<PrimitiveId>,
+}
+
+impl Tree {
+    /// Builds the tree.
+    pub fn build(primitives: &[(PrimitiveId, Primitive)]) -> Result<Self, TreeError> {
+        if primitives.len() > PRIMITIVE_LIMIT {
+            return Err(TreeError::TooManyPrimitives(primitives.len()));
+        }
+        if primitives.is_empty() {
+            return Ok(Self::default());
+        }
+        let boxes: Vec<Aabb> = primitives
+            .iter()
+            .map(|(_, primitive)| {
+                let (low, high) = primitive.bounds();
+                Aabb::new(Vec3A::from(low), Vec3A::from(high))
+            })
+            .collect();
+        let mut binary = PlocBuilder::with_capacity(boxes.len()).build(
+            PlocSearchDistance::Medium,
+            &boxes,
+            (0..boxes.len() as u32).collect(),
+            SortPrecision::U64,
+            3,
+        );
+        ReinsertionOptimizer::default().run(&mut binary, 0.05, None);
+        let nodes = bvh2_to_cwbvh(&binary, 3, true, false);
+        let depth = depth(&nodes);
+        if depth > DEPTH_LIMIT {
+            return Err(TreeError::TooDeep(depth));
+        }
+        let at = |index: &u32| primitives[*index as usize];
+        let (ids, primitives) = nodes.primitive_indices.iter().map(at).unzip();
+        Ok(Self { nodes, primitives, ids })
+    }
+
+    /// The primitive at a slot.
+    #[inline(always)]
+    pub fn primitive(&self, slot: u32) -> &Primitive {
+        &self.primitives[slot as usize]
+    }
+
+    /// The instance and number of the primitive at a slot.
+    #[inline(always)]
+    pub fn id(&self, slot: u32) -> PrimitiveId {
+        self.ids[slot as usize]
+    }
+
+    /// How many primitives it holds.
+    pub fn len(&self) -> usize {
+        self.primitives.len()
+    }
+
+    /// Whether it holds none.
+    pub fn is_empty(&self) -> bool {
+        self.primitives.is_empty()
+    }
+
+    /// Corners of the box round everything; none without primitives.
+    pub fn bounds(&self) -> Option<([f32; 3], [f32; 3])> {
+        let bounds = self.nodes.total_aabb;
+        (!self.is_empty()).then(|| (bounds.min.into(), bounds.max.into()))
+    }
+
+    /// The nearest hit at a distance above 0 and at most `farthest`. Of equal distances the lowest
+    /// (instance, primitive).
+    #[inline]
+    pub fn nearest(&self, ray: &PreparedRay, farthest: f64) -> Option<RawHit> {
+        let mut best: Option<RawHit> = None;
+        let mut limit = farthest;
+        self.traverse(ray, farthest, |slot| {
+            if let Some(hit) = self.primitives[slot as usize].nearest(ray, slot) {
+                let nearer = hit.t < limit
+                    || hit.t == limit && best.is_none_or(|best| self.id(slot) < self.id(best.slot));
+                if nearer {
+                    limit = hit.t;
+                    best = Some(hit);
+                }
+            }
+            Some(limit)
+        });
+        best
+    }
+
+    /// Gives `found` every hit at a distance above 0 and at most `farthest`, in no order, until it
+    /// returns false.
+    #[inline]
+    pub fn every(&self, ray: &PreparedRay, farthest: f64, mut found: impl FnMut(RawHit) -> bool) {
+        self.traverse(ray, farthest, |slot| {
+            let mut going_on = true;
+            self.primitives[slot as usize].every(ray, slot, |hit| {
+                going_on = going_on && (hit.t > farthest || found(hit));
+            });
+            going_on.then_some(farthest)
+        });
+    }
+
+    /// Calls `visit` with the slots whose boxes the ray may meet. It returns how far hits still
+    /// matter, or none to end.
+    #[inline(always)]
+    fn traverse(
+        &self,
+        ray: &PreparedRay,
+        farthest: f64,
+        mut visit: impl FnMut(u32) -> Option<f64>,
+    ) {
+        if self.nodes.nodes.is_empty() {
+            return;
+        }
+        let boxes = BoxRay::new(ray.origin, ray.direction);
+        let mut limit = (farthest as f32).next_up();
+        let mut stack = [(0_u32, 0_u32); DEPTH_LIMIT];
+        let mut depth = 0;
+        // Children still to visit: the first one's position, and a bit for each (upper byte, in
+        // order of visit) over the bits of those that are inner nodes (lowest byte).
+        let (mut base, mut children) = (0_u32, 0x8000_0000_u32);
+        loop {
+            if children & 0xff00_0000 == 0 {
+                if depth == 0 {
+                    return;
+                }
+                depth -= 1;
+                (base, children) = stack[depth];
+            }
+            let bit = 31 - children.leading_zeros();
+            let inner = children;
+            children &= !(1 << bit);
+            if children & 0xff00_0000 != 0 {
+                stack[depth] = (base, children);
+                depth += 1;
+            }
+            let position = (bit - 24) ^ (boxes.octant & 0xff);
+            let rank = (inner & !(u32::MAX << position)).count_ones();
+            let node = &self.nodes.nodes[(base + rank) as usize];
+            let met = boxes.children(node, limit);
+            base = node.child_base_idx;
+            children = (met & 0xff00_0000) | u32::from(node.imask);
+            let mut primitives = met & 0x00ff_ffff;
+            while primitives != 0 {
+                let offset = 31 - primitives.leading_zeros();
+                primitives &= !(1 << offset);
+                match visit(node.primitive_base_idx + offset) {
+                    Some(farthest) => limit = (farthest as f32).next_up(),
+                    None => return,
+                }
+            }
+        }
+    }
+}
+
+/// Levels of the tree.
+fn depth(tree: &CwBvh) -> usize {
+    let mut deepest = 0;
+    let mut open = vec![(0_u32, 1_usize)];
+    while let Some((index, level)) = open.pop() {
+        deepest = deepest.max(level);
+        let node = &tree.nodes[index as usize];
+        for child in 0..8 {
+            if node.imask & (1 << child) != 0 {
+                open.push((node.child_node_index(child), level + 1));
+            }
+        }
+    }
+    deepest
+}

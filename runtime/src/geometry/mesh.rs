@@ -1,0 +1,263 @@
+//! Triangle meshes.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::COORDINATE_LIMIT;
+use super::primitive::{double, single};
+use super::shape::unit;
+use super::transform::Transform;
+
+/// A triangle mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Vertex positions.
+    pub positions: Vec<[f32; 3]>,
+    /// Vertex normals, one per position, or none: flat shading.
+    pub normals: Vec<[f32; 3]>,
+    /// Surface coordinates, one per position, or none: barycentric weights.
+    pub uvs: Vec<[f32; 2]>,
+    /// Vertices of the triangles, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// What is wrong with a mesh.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MeshError {
+    /// It has no triangle.
+    #[error("the mesh has no triangles")]
+    Empty,
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle} uses vertex {vertex}, but the mesh has {count} vertices")]
+    IndexOutOfRange {
+        /// The triangle, from 0.
+        triangle: usize,
+        /// The vertex it names, from 0.
+        vertex: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// A position is not finite or too far out.
+    #[error(
+        "vertex {vertex} lies at {position:?}; coordinates must be finite and at most 1e12 in magnitude"
+    )]
+    BadPosition {
+        /// The vertex, from 0.
+        vertex: usize,
+        /// Where it lies.
+        position: [f32; 3],
+    },
+    /// Normals or surface coordinates do not match the vertices.
+    #[error("the mesh has {count} {what} for {vertices} vertices")]
+    CountMismatch {
+        /// `normals` or `surface coordinates`.
+        what: &'static str,
+        /// How many there are.
+        count: usize,
+        /// How many there should be.
+        vertices: usize,
+    },
+    /// The transform flattens the mesh or is not finite.
+    #[error("the transform is not finite or flattens the object")]
+    IrregularTransform,
+}
+
+impl Mesh {
+    /// Checks that every index, position and count is usable.
+    pub fn validate(&self) -> Result<(), MeshError> {
+        if self.triangles.is_empty() {
+            return Err(MeshError::Empty);
+        }
+        let vertices = self.positions.len();
+        for (what, count) in
+            [("normals", self.normals.len()), ("surface coordinates", self.uvs.len())]
+        {
+            if count != 0 && count != vertices {
+                return Err(MeshError::CountMismatch { what, count, vertices });
+            }
+        }
+        for (triangle, indices) in self.triangles.iter().enumerate() {
+            if let Some(&vertex) = indices.iter().find(|&&vertex| vertex as usize >= vertices) {
+                return Err(MeshError::IndexOutOfRange { triangle, vertex, count: vertices });
+            }
+        }
+        let outside = |x: &f32| x.is_nan() || x.abs() > COORDINATE_LIMIT;
+        match self.positions.iter().position(|position| position.iter().any(outside)) {
+            Some(vertex) => {
+                Err(MeshError::BadPosition { vertex, position: self.positions[vertex] })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// The mesh in world space. Triangles keep their outside when the transform mirrors; where the
+    /// mesh has normals, they decide which side is outside.
+    pub fn transformed(&self, transform: &Transform) -> Result<Mesh, MeshError> {
+        self.validate()?;
+        if !transform.is_regular() {
+            return Err(MeshError::IrregularTransform);
+        }
+        let mut mesh = self.clone();
+        for position in &mut mesh.positions {
+            *position = single(transform.point(double(*position)));
+        }
+        for normal in &mut mesh.normals {
+            *normal = unit(transform.normal(double(*normal))).map_or([0.0; 3], single);
+        }
+        if transform.mirrors() {
+            for triangle in &mut mesh.triangles {
+                triangle.swap(1, 2);
+            }
+        }
+        mesh.validate()?;
+        mesh.turn_to_normals();
+        Ok(mesh)
+    }
+
+    /// Sets each vertex's normal to the mean of its triangles' normals weighted by their angles
+    /// there; vertices at equal positions share one.
+    pub fn smooth(&mut self) {
+        let mut sums: HashMap<[u32; 3], DVec3> = HashMap::new();
+        // Adding 0 makes one key of 0 and -0.
+        let key = |position: [f32; 3]| position.map(|x| (x + 0.0).to_bits());
+        for triangle in &self.triangles {
+            let corners = triangle.map(|vertex| double(self.positions[vertex as usize]));
+            let Some(normal) = unit((corners[1] - corners[0]).cross(corners[2] - corners[0]))
+            else {
+                continue;
+            };
+            for at in 0..3 {
+                let first = corners[(at + 1) % 3] - corners[at];
+                let second = corners[(at + 2) % 3] - corners[at];
+                let angle = first.cross(second).length().atan2(first.dot(second));
+                *sums.entry(key(self.positions[triangle[at] as usize])).or_default() +=
+                    normal * angle;
+            }
+        }
+        let normal = |position: &[f32; 3]| {
+            sums.get(&key(*position)).and_then(|sum| unit(*sum)).map_or([0.0; 3], single)
+        };
+        self.normals = self.positions.iter().map(normal).collect();
+    }
+
+    /// Swaps the winding of triangles that face against their vertices' normals.
+    fn turn_to_normals(&mut self) {
+        if self.normals.is_empty() {
+            return;
+        }
+        for triangle in &mut self.triangles {
+            let [a, b, c] = triangle.map(|vertex| double(self.positions[vertex as usize]));
+            let mean: DVec3 = triangle.iter().map(|&v| double(self.normals[v as usize])).sum();
+            if (b - a).cross(c - a).dot(mean) < 0.0 {
+                triangle.swap(1, 2);
+            }
+        }
+    }
+
+    /// Vertices of triangle `number`.
+    pub fn vertices(&self, number: usize) -> [[f32; 3]; 3] {
+        self.triangles[number].map(|vertex| self.positions[vertex as usize])
+    }
+
+    /// Unit shading normal, in the hemisphere of the geometric one, and surface coordinates at the
+    /// barycentric weights of triangle `number`.
+    pub(super) fn attributes(
+        &self,
+        number: u32,
+        weights: [f64; 3],
+        normal_geom: DVec3,
+    ) -> (DVec3, [f32; 2]) {
+        let indices = self.triangles[number as usize];
+        let uv = match self.uvs.is_empty() {
+            true => [weights[1] as f32, weights[2] as f32],
+            false => [0, 1].map(|axis| {
+                let of = |at: usize| f64::from(self.uvs[indices[at] as usize][axis]) * weights[at];
+                (of(0) + of(1) + of(2)) as f32
+            }),
+        };
+        if self.normals.is_empty() {
+            return (normal_geom, uv);
+        }
+        let of = |at: usize| double(self.normals[indices[at] as usize]) * weights[at];
+        let normal = unit(of(0) + of(1) + of(2)).unwrap_or(normal_geom);
+        (if normal.dot(normal_geom) < 0.0 { -normal } else { normal }, uv)
+    }
+
+    /// A rectangle in the plane y = 0, `width` along x and `depth` along z, round the origin, its
+    /// outside up.
+    pub fn rectangle(width: f32, depth: f32) -> Mesh {
+        let (x, z) = (width * 0.5, depth * 0.5);
+        Mesh {
+            positions: vec![[-x, 0.0, -z], [-x, 0.0, z], [x, 0.0, z], [x, 0.0, -z]],
+            normals: Vec::new(),
+            uvs: vec![[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]],
+            triangles: vec![[0, 1, 2], [0, 2, 3]],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn broken_meshes_are_named() {
+        let mut mesh = Mesh::rectangle(1.0, 1.0);
+        mesh.positions[2][1] = f32::NAN;
+        assert!(matches!(mesh.validate(), Err(MeshError::BadPosition { vertex: 2, .. })));
+        mesh.positions[2][1] = 2e12;
+        assert!(matches!(mesh.validate(), Err(MeshError::BadPosition { vertex: 2, .. })));
+        let mut mesh = Mesh::rectangle(1.0, 1.0);
+        mesh.triangles[1][0] = 4;
+        assert_eq!(
+            mesh.validate(),
+            Err(MeshError::IndexOutOfRange { triangle: 1, vertex: 4, count: 4 })
+        );
+        mesh.triangles.clear();
+        assert_eq!(mesh.validate(), Err(MeshError::Empty));
+        let mut mesh = Mesh::rectangle(1.0, 1.0);
+        mesh.uvs.pop();
+        assert!(matches!(mesh.validate(), Err(MeshError::CountMismatch { count: 3, .. })));
+    }
+
+    #[test]
+    fn a_mirrored_rectangle_keeps_its_outside() {
+        let mirror = Transform::new([-1.0, 1.0, 1.0], [0.0; 3], [0.0; 3]);
+        let mesh = Mesh::rectangle(2.0, 2.0).transformed(&mirror).unwrap();
+        for number in 0..2 {
+            let [a, b, c] = mesh.vertices(number).map(double);
+            assert!((b - a).cross(c - a).y > 0.0);
+        }
+    }
+
+    #[test]
+    fn normals_decide_which_side_is_outside() {
+        let mut mesh = Mesh::rectangle(2.0, 2.0);
+        mesh.normals = vec![[0.0, -1.0, 0.0]; 4];
+        let mesh = mesh.transformed(&Transform::default()).unwrap();
+        let [a, b, c] = mesh.vertices(0).map(double);
+        assert!((b - a).cross(c - a).y < 0.0);
+    }
+
+    #[test]
+    fn smoothing_joins_vertices_at_equal_positions() {
+        let mut mesh = Mesh {
+            positions: vec![
+                [0.0, 0.0, 0.0],
+                [1.0, 0.0, 0.0],
+                [0.0, 1.0, 0.0],
+                [-0.0, 0.0, 0.0],
+                [0.0, 1.0, 0.0],
+                [0.0, 0.0, 1.0],
+            ],
+            triangles: vec![[0, 1, 2], [3, 4, 5]],
+            ..Mesh::default()
+        };
+        mesh.smooth();
+        assert_eq!(mesh.normals[0], mesh.normals[3]);
+        assert_eq!(mesh.normals[2], mesh.normals[4]);
+        assert_eq!(mesh.normals[1], [0.0, 0.0, 1.0]);
+        assert_eq!(mesh.normals[5], [1.0, 0.0, 0.0]);
+    }
+}

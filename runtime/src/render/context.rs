@@ -1,0 +1,344 @@
+//! The renderer as shaders see it.
+
+use std::sync::Arc;
+
+use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use phenomenon_compiler::engine::{Shade, Shaded};
+use phenomenon_compiler::graph::RootKind;
+use phenomenon_compiler::state::{RayType, State};
+
+use super::clock::{Clock, Who};
+use super::lighting::Occluder;
+use super::points::{Waiting, environment_state, hit_state, ray_origin, unit_direction};
+use super::statistics::RayCounts;
+use crate::geometry::PreparedRay;
+use crate::lights::Environment;
+use crate::scene::Scene;
+
+/// Deepest nesting of requests. The trace depth ends rays long before; this bounds the stack
+/// should a graph change the levels its rays carry.
+const NESTING_LIMIT: usize = 160;
+
+/// Answers the requests of shaders for one thread, and counts what they cost.
+pub struct Context<'s> {
+    pub(super) scene: &'s Scene,
+    pub(super) batch: usize,
+    pub(super) counts: RayCounts,
+    pub(super) points: u64,
+    pub(super) clock: Clock,
+    /// Scratch space of the requests that are not running: one is taken per nested request, so
+    /// nothing is allocated per ray.
+    spare: Vec<Box<Scratch>>,
+    nesting: usize,
+    light_lists: Vec<Arc<[u32]>>,
+}
+
+/// Scratch space of one request.
+#[derive(Default)]
+pub(super) struct Scratch {
+    pub(super) waiting: Vec<Waiting>,
+    missed: Vec<(u32, [f32; 3])>,
+    pub(super) states: Vec<State>,
+    pub(super) results: Vec<Shaded>,
+    pub(super) occluders: Vec<Occluder>,
+    pub(super) found: Vec<Occluder>,
+    pub(super) ranges: Vec<(u32, u32, u32)>,
+}
+
+impl<'s> Context<'s> {
+    /// A renderer of `scene` that shades at most `batch` points at once (at least 1).
+    pub fn new(scene: &'s Scene, batch: usize) -> Self {
+        Self {
+            scene,
+            batch: batch.max(1),
+            counts: RayCounts::default(),
+            points: 0,
+            clock: Clock::new(),
+            spare: Vec::new(),
+            nesting: 0,
+            light_lists: Vec::new(),
+        }
+    }
+
+    /// Rays so far.
+    pub fn counts(&self) -> RayCounts {
+        self.counts
+    }
+
+    /// Points shaded so far.
+    pub fn points(&self) -> u64 {
+        self.points
+    }
+
+    /// Runs `work` with scratch space, unless requests nest too deeply.
+    pub(super) fn nested(&mut self, work: impl FnOnce(&mut Self, &mut Scratch)) {
+        if self.nesting == NESTING_LIMIT {
+            return;
+        }
+        let before = self.clock.switch(Who::Renderer);
+        self.nesting += 1;
+        let mut scratch = self.spare.pop().unwrap_or_default();
+        work(self, &mut scratch);
+        self.spare.push(scratch);
+        self.nesting -= 1;
+        self.clock.switch(before);
+    }
+
+    /// Traces camera rays: their states hold what the whole path shares.
+    pub(super) fn trace_camera_rays(&mut self, rays: &[Ray], answers: &mut [Answer]) {
+        self.nested(|context, scratch| context.trace_queue(RayType::Eye, rays, answers, scratch));
+    }
+
+    /// Traces a queue: intersects all rays, shades the hits material by material in batches, then
+    /// the misses.
+    fn trace_queue(
+        &mut self,
+        ray_type: RayType,
+        rays: &[Ray],
+        answers: &mut [Answer],
+        scratch: &mut Scratch,
+    ) {
+        scratch.waiting.clear();
+        scratch.missed.clear();
+        for (slot, (ray, answer)) in rays.iter().zip(&mut *answers).enumerate() {
+            *answer = Answer::default();
+            let asked = match ray_type {
+                RayType::Transparent => ray.state.direction,
+                _ => ray.direction,
+            };
+            let Some(direction) = unit_direction(asked) else { continue };
+            let Some(origin) = self.admit(ray_type, ray, direction) else {
+                scratch.missed.push((slot as u32, direction));
+                continue;
+            };
+            let prepared = PreparedRay::new(origin, direction);
+            match self.scene.intersect(&prepared, f64::INFINITY) {
+                Some(hit) => {
+                    let material = self.scene.material_at(&hit);
+                    let slot = slot as u32;
+                    scratch.waiting.push(Waiting { slot, material, origin, direction, hit });
+                }
+                None => scratch.missed.push((slot as u32, direction)),
+            }
+        }
+        scratch.waiting.sort_unstable_by_key(|waiting| (waiting.material, waiting.slot));
+        self.shade_hits(ray_type, rays, answers, scratch);
+        self.look_up_environment(rays, answers, scratch);
+    }
+
+    /// Counts a ray and says where it starts; none if it may not be traced.
+    #[inline]
+    fn admit(&mut self, ray_type: RayType, ray: &Ray, direction: [f32; 3]) -> Option<[f32; 3]> {
+        let (reflections, refractions) = (ray.state.reflection_level, ray.state.refraction_level);
+        let depth = &self.scene.depth;
+        let (allowed, count) = match ray_type {
+            RayType::Eye => {
+                self.counts.eye += 1;
+                return Some(ray.origin);
+            }
+            RayType::Reflection => {
+                (depth.allows_reflection(reflections, refractions), &mut self.counts.reflection)
+            }
+            RayType::Refraction => {
+                (depth.allows_refraction(reflections, refractions), &mut self.counts.refraction)
+            }
+            RayType::Transparent => {
+                (depth.allows_refraction(reflections, refractions), &mut self.counts.transparent)
+            }
+            RayType::Shadow | RayType::Environment | RayType::Displace => return None,
+        };
+        if !allowed {
+            return None;
+        }
+        let origin = ray_origin(ray, direction)?;
+        *count += 1;
+        Some(origin)
+    }
+
+    fn shade_hits(
+        &mut self,
+        ray_type: RayType,
+        rays: &[Ray],
+        answers: &mut [Answer],
+        scratch: &mut Scratch,
+    ) {
+        let Scratch { waiting, states, results, .. } = scratch;
+        for group in waiting.chunk_by(|a, b| a.material == b.material) {
+            for batch in group.chunks(self.batch) {
+                states.clear();
+                states.extend(batch.iter().map(|waiting| {
+                    hit_state(self.scene, &rays[waiting.slot as usize], ray_type, waiting)
+                }));
+                self.shade_material(batch[0].material, RootKind::Material, states, results);
+                for (waiting, result) in batch.iter().zip(&*results) {
+                    answers[waiting.slot as usize] = Answer {
+                        color: result.color,
+                        ok: result.ok,
+                        hit: true,
+                        distance: waiting.hit.t as f32,
+                    };
+                }
+            }
+        }
+    }
+
+    /// Shades points of one material; black and not ok where it has no such root.
+    pub(super) fn shade_material(
+        &mut self,
+        material: u32,
+        root: RootKind,
+        states: &[State],
+        results: &mut Vec<Shaded>,
+    ) {
+        let scene = self.scene;
+        let material = scene.materials.get(material as usize);
+        let has_root = material.is_some_and(|material| match root {
+            RootKind::Material => material.has_material,
+            RootKind::Shadow => material.has_shadow,
+            RootKind::Environment => false,
+        });
+        results.clear();
+        results.resize(states.len(), Shaded::default());
+        if let (Some(material), true) = (material, has_root) {
+            self.shade(&*material.shader, root, states, results);
+        }
+    }
+
+    fn shade(
+        &mut self,
+        shader: &dyn Shade,
+        root: RootKind,
+        states: &[State],
+        results: &mut [Shaded],
+    ) {
+        self.points += states.len() as u64;
+        let before = self.clock.switch(Who::Shader);
+        shader.shade(root, states, self, results);
+        self.clock.switch(before);
+    }
+
+    /// Answers the rays that missed. An environment shader's own rays see none: it would never end.
+    fn look_up_environment(&mut self, rays: &[Ray], answers: &mut [Answer], scratch: &mut Scratch) {
+        let scene = self.scene;
+        let Some(environment) = &scene.environment else { return };
+        let Scratch { missed, states, results, .. } = scratch;
+        missed.retain(|(slot, _)| rays[*slot as usize].state.ray_type != RayType::Environment);
+        self.counts.environment += missed.len() as u64;
+        let answer = |color, ok| Answer { color, ok, hit: false, distance: 0.0 };
+        let Environment::Shader(shader) = environment else {
+            for &(slot, direction) in &*missed {
+                let color = environment.color(direction);
+                answers[slot as usize] = answer(color.unwrap_or_default(), color.is_some());
+            }
+            return;
+        };
+        if !shader.has_root(RootKind::Environment) {
+            return;
+        }
+        for batch in missed.chunks(self.batch) {
+            states.clear();
+            states.extend(
+                batch
+                    .iter()
+                    .map(|&(slot, direction)| environment_state(&rays[slot as usize], direction)),
+            );
+            results.clear();
+            results.resize(states.len(), Shaded::default());
+            self.shade(&**shader, RootKind::Environment, states, results);
+            for (&(slot, _), result) in batch.iter().zip(&*results) {
+                answers[slot as usize] = answer(result.color, result.ok);
+            }
+        }
+    }
+
+    fn probe(&mut self, rays: &[Ray], answers: &mut [Answer]) {
+        for (ray, answer) in rays.iter().zip(answers) {
+            *answer = Answer::default();
+            let Some(direction) = unit_direction(ray.direction) else { continue };
+            let Some(origin) = ray_origin(ray, direction) else { continue };
+            self.counts.probe += 1;
+            let prepared = PreparedRay::new(origin, direction);
+            if let Some(hit) = self.scene.intersect(&prepared, f64::INFINITY) {
+                *answer = Answer { color: [0.0; 4], ok: true, hit: true, distance: hit.t as f32 };
+            }
+        }
+    }
+
+    /// The light at a position of a list.
+    pub(super) fn light(&mut self, list: LightList, iteration: usize) -> Option<u32> {
+        if list.0 as usize >= self.light_lists.len() {
+            self.light_lists = self.scene.light_lists();
+        }
+        self.light_lists.get(list.0 as usize)?.get(iteration).copied()
+    }
+}
+
+impl Renderer for Context<'_> {
+    fn trace(&mut self, effect: Effect, rays: &[Ray], answers: &mut [Answer]) {
+        let ray_type = match effect {
+            Effect::TraceReflection => RayType::Reflection,
+            Effect::TraceRefraction => RayType::Refraction,
+            Effect::TraceTransparent => RayType::Transparent,
+            Effect::TraceEnvironment => RayType::Environment,
+            Effect::TraceProbe => {
+                return self.nested(|context, _| context.probe(rays, answers));
+            }
+            Effect::LightColor => return answers.fill(Answer::default()),
+        };
+        answers.fill(Answer::default());
+        self.nested(|context, scratch| {
+            let batch = context.batch;
+            for (rays, answers) in rays.chunks(batch).zip(answers.chunks_mut(batch)) {
+                context.trace_queue(ray_type, rays, answers, scratch);
+            }
+        });
+    }
+
+    fn light_list(&mut self, names: &[String]) -> LightList {
+        let lights = &self.scene.lights;
+        let list: Vec<u32> = match names.is_empty() {
+            true => (0..lights.len() as u32).collect(),
+            false => names
+                .iter()
+                .filter_map(|name| lights.iter().position(|light| light.name == *name))
+                .map(|position| position as u32)
+                .collect(),
+        };
+        LightList(self.scene.intern_light_list(&list))
+    }
+
+    fn light_count(&mut self, list: LightList) -> usize {
+        if list.0 as usize >= self.light_lists.len() {
+            self.light_lists = self.scene.light_lists();
+        }
+        self.light_lists.get(list.0 as usize).map_or(0, |list| list.len())
+    }
+
+    fn light_samples(
+        &mut self,
+        list: LightList,
+        iteration: usize,
+        points: &[State],
+        samples: &mut [LightSample],
+    ) {
+        let before = self.clock.switch(Who::Renderer);
+        self.sample_light(list, iteration, points, samples);
+        self.clock.switch(before);
+    }
+
+    fn light_colors(
+        &mut self,
+        list: LightList,
+        iteration: usize,
+        points: &[State],
+        colors: &mut [[f32; 3]],
+    ) {
+        colors.fill([0.0; 3]);
+        self.nested(|context, scratch| {
+            let batch = context.batch;
+            for (points, colors) in points.chunks(batch).zip(colors.chunks_mut(batch)) {
+                context.light_points(list, iteration, points, colors, scratch);
+            }
+        });
+    }
+}

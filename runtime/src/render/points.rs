@@ -1,0 +1,106 @@
+//! From rays and hits to shading points.
+
+use phenomenon_compiler::effects::Ray;
+use phenomenon_compiler::state::{Hit, RayType, State};
+
+use crate::geometry::{PreparedRay, RawHit, Surface, double, single, spawn_origin};
+use crate::sampling::child_path;
+use crate::scene::Scene;
+
+/// A ray that waits for its point to be shaded.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Waiting {
+    /// Position of the ray in its queue.
+    pub(super) slot: u32,
+    /// Material it hit.
+    pub(super) material: u32,
+    /// The ray.
+    pub(super) origin: [f32; 3],
+    /// Its unit direction.
+    pub(super) direction: [f32; 3],
+    /// Where it hit.
+    pub(super) hit: RawHit,
+}
+
+/// The direction at unit length; none for one that is zero or not finite.
+#[inline]
+pub(super) fn unit_direction(direction: [f32; 3]) -> Option<[f32; 3]> {
+    let long = double(direction);
+    let length = long.length();
+    (length > 0.0 && length.is_finite()).then(|| single(long / length))
+}
+
+/// Where a ray asked for at a point starts: off the surface if at the point, else as given.
+#[inline]
+pub(super) fn ray_origin(ray: &Ray, direction: [f32; 3]) -> Option<[f32; 3]> {
+    let state = &ray.state;
+    let origin = match ray.origin == state.point {
+        true => spawn_origin(state.point, state.hit.error, state.normal_geom, direction),
+        false => ray.origin,
+    };
+    origin.iter().all(|x| x.is_finite()).then_some(origin)
+}
+
+/// What a ray hands on to the point it hits, levels and path already counted up.
+#[inline]
+pub(super) fn child(ray: &Ray, ray_type: RayType) -> State {
+    let mut state = ray.state;
+    state.ray_type = ray_type;
+    match ray_type {
+        RayType::Eye => return state,
+        RayType::Reflection => state.reflection_level = state.reflection_level.saturating_add(1),
+        RayType::Refraction | RayType::Transparent => {
+            state.refraction_level = state.refraction_level.saturating_add(1);
+        }
+        RayType::Shadow | RayType::Environment | RayType::Displace => {}
+    }
+    state.path = child_path(state.path, ray.site);
+    state
+}
+
+/// Puts a surface, turned to the side the ray came from, into a state.
+#[inline]
+pub(super) fn place(state: &mut State, surface: &Surface, direction: [f32; 3]) {
+    let dot = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let inside = dot(surface.normal_geom, direction) > 0.0;
+    let turned = |normal: [f32; 3]| if inside { normal.map(|x| -x) } else { normal };
+    state.direction = direction;
+    state.point = surface.point;
+    state.normal = turned(surface.normal);
+    state.normal_geom = turned(surface.normal_geom);
+    let cosine = dot(state.normal, direction);
+    // An interpolated normal may lean away from the ray.
+    state.dot_nd = if cosine < 0.0 { if cosine > -1.0 { cosine } else { -1.0 } } else { 0.0 };
+    state.inv_normal = inside;
+    state.uv = surface.uv;
+}
+
+/// The state at the point a ray hit.
+#[inline]
+pub(super) fn hit_state(scene: &Scene, ray: &Ray, ray_type: RayType, waiting: &Waiting) -> State {
+    let prepared = PreparedRay::new(waiting.origin, waiting.direction);
+    let surface = scene.surface(&prepared, &waiting.hit);
+    let mut state = child(ray, ray_type);
+    place(&mut state, &surface, waiting.direction);
+    state.origin = waiting.origin;
+    state.dist = waiting.hit.t as f32;
+    let id = scene.tree.id(waiting.hit.slot);
+    state.hit = Hit { instance: id.instance, primitive: id.primitive, error: surface.error };
+    state
+}
+
+/// The state of an environment lookup.
+pub(super) fn environment_state(ray: &Ray, direction: [f32; 3]) -> State {
+    let mut state = child(ray, RayType::Environment);
+    state.origin = ray.state.point;
+    state.direction = direction;
+    state.point = ray.state.point;
+    state.normal = direction.map(|x| -x);
+    state.normal_geom = state.normal;
+    state.dot_nd = -1.0;
+    state.dist = 0.0;
+    state.inv_normal = false;
+    state.uv = [0.0; 2];
+    state.hit = Hit::default();
+    state
+}

@@ -1,0 +1,234 @@
+//! Tiles on threads.
+
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use phenomenon_compiler::effects::{Answer, Ray};
+use phenomenon_compiler::state::State;
+use rayon::prelude::*;
+
+use super::context::Context;
+use super::statistics::{RayCounts, Statistics};
+use crate::film::{Film, SizeError};
+use crate::sampling::{path_key, pixel_position};
+use crate::scene::Scene;
+
+/// Camera rays traced at once: several batches, so that each material gets a long queue.
+const CAMERA_QUEUE: usize = 512;
+
+/// Stack of a rendering thread in bytes; shaders and requests nest on it.
+const STACK_BYTES: usize = 64 << 20;
+
+/// Most samples of a pixel.
+pub const SAMPLE_LIMIT: u32 = 1 << 20;
+
+/// How a scene is rendered. Only the size, the samples and the seed change the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Settings {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// Samples of every pixel.
+    pub samples: u32,
+    /// Seed of all random numbers.
+    pub seed: u64,
+    /// Threads; 0 takes as many as the machine has.
+    pub threads: usize,
+    /// Most points shaded at once.
+    pub batch: usize,
+    /// Side of a tile in pixels.
+    pub tile: u32,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { width: 512, height: 512, samples: 16, seed: 0, threads: 0, batch: 256, tile: 16 }
+    }
+}
+
+/// Why nothing could be rendered.
+#[derive(Debug, thiserror::Error)]
+pub enum RenderError {
+    /// The picture cannot have this size.
+    #[error(transparent)]
+    Size(#[from] SizeError),
+    /// The number of samples is out of range.
+    #[error("{0} samples per pixel are not possible: 1 to {SAMPLE_LIMIT} are")]
+    Samples(u32),
+    /// The threads could not be started.
+    #[error("cannot start the rendering threads: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+}
+
+/// A picture and what it cost.
+#[derive(Clone, Debug)]
+pub struct Rendered {
+    /// The picture.
+    pub film: Film,
+    /// What it cost.
+    pub statistics: Statistics,
+}
+
+/// Renders a scene. `progress` is called with the tiles done and their number, from any thread.
+pub fn render(
+    scene: &Scene,
+    settings: &Settings,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Rendered, RenderError> {
+    let film = Film::new(settings.width, settings.height)?;
+    if !(1..=SAMPLE_LIMIT).contains(&settings.samples) {
+        return Err(RenderError::Samples(settings.samples));
+    }
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(settings.threads)
+        .stack_size(STACK_BYTES)
+        .build()?;
+    let start = Instant::now();
+    let tiles = tiles(settings);
+    let work = Work { film: Mutex::new((film, 0)), contexts: Mutex::new(Vec::new()) };
+    pool.install(|| {
+        tiles.par_iter().with_max_len(1).for_each(|tile| {
+            let mut painter = locked(&work.contexts)
+                .pop()
+                .unwrap_or_else(|| Painter::new(Context::new(scene, settings.batch)));
+            painter.paint(settings, tile);
+            let mut film = locked(&work.film);
+            painter.copy_to(&mut film.0, tile);
+            film.1 += 1;
+            let done = film.1;
+            drop(film);
+            locked(&work.contexts).push(painter);
+            progress(done, tiles.len());
+        });
+    });
+    let whole = start.elapsed();
+    let (film, _) = work.film.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let painters = work.contexts.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let statistics = statistics(&painters, whole, pool.current_num_threads());
+    Ok(Rendered { film, statistics })
+}
+
+struct Work<'s> {
+    /// The picture and the number of tiles in it.
+    film: Mutex<(Film, usize)>,
+    contexts: Mutex<Vec<Painter<'s>>>,
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn statistics(painters: &[Painter<'_>], whole: Duration, threads: usize) -> Statistics {
+    let mut rays = RayCounts::default();
+    let (mut points, mut shading, mut measured) = (0, Duration::ZERO, Duration::ZERO);
+    for Painter { context, .. } in painters {
+        rays += context.counts;
+        points += context.points;
+        shading += context.clock.shading;
+        measured += context.clock.whole;
+    }
+    let whole_milliseconds = whole.as_secs_f64() * 1e3;
+    let part = shading.as_secs_f64() / measured.as_secs_f64().max(1e-9);
+    let shading_milliseconds = whole_milliseconds * part;
+    Statistics { rays, points, whole_milliseconds, shading_milliseconds, threads }
+}
+
+/// Columns and rows of the film, ends excluded.
+struct Tile {
+    columns: (u32, u32),
+    rows: (u32, u32),
+}
+
+fn tiles(settings: &Settings) -> Vec<Tile> {
+    let side = settings.tile.max(1);
+    let spans = |length: u32| {
+        (0..length).step_by(side as usize).map(move |at| (at, at.saturating_add(side).min(length)))
+    };
+    spans(settings.height)
+        .flat_map(|rows| spans(settings.width).map(move |columns| Tile { columns, rows }))
+        .collect()
+}
+
+/// Paints tiles, one after the other, and keeps what it needs for that.
+struct Painter<'s> {
+    context: Context<'s>,
+    pixels: Vec<[f32; 4]>,
+    rays: Vec<Ray>,
+    answers: Vec<Answer>,
+    /// Pixel of the tile that each ray belongs to.
+    owners: Vec<usize>,
+}
+
+impl<'s> Painter<'s> {
+    fn new(context: Context<'s>) -> Self {
+        let (rays, answers) = (Vec::new(), Vec::new());
+        Self { context, pixels: Vec::new(), rays, answers, owners: Vec::new() }
+    }
+
+    fn paint(&mut self, settings: &Settings, tile: &Tile) {
+        self.pixels.clear();
+        for row in tile.rows.0..tile.rows.1 {
+            for column in tile.columns.0..tile.columns.1 {
+                self.pixels.push([0.0; 4]);
+                for sample in 0..settings.samples {
+                    self.owners.push(self.pixels.len() - 1);
+                    let ray = camera_ray(self.context.scene, settings, column, row, sample);
+                    self.rays.push(ray);
+                    if self.rays.len() == CAMERA_QUEUE {
+                        self.flush();
+                    }
+                }
+            }
+        }
+        self.flush();
+        let share = 1.0 / settings.samples as f32;
+        for pixel in &mut self.pixels {
+            *pixel = pixel.map(|sum| sum * share);
+        }
+    }
+
+    /// Traces the queue and adds its answers to their pixels, in the order of the samples.
+    fn flush(&mut self) {
+        self.answers.clear();
+        self.answers.resize(self.rays.len(), Answer::default());
+        self.context.clock.start_queue();
+        self.context.trace_camera_rays(&self.rays, &mut self.answers);
+        self.context.clock.end_queue();
+        for (owner, answer) in self.owners.iter().zip(&self.answers) {
+            if answer.ok {
+                let pixel = &mut self.pixels[*owner];
+                for (sum, color) in pixel.iter_mut().zip(answer.color) {
+                    *sum += color;
+                }
+            }
+        }
+        self.rays.clear();
+        self.owners.clear();
+    }
+
+    fn copy_to(&self, film: &mut Film, tile: &Tile) {
+        let mut pixels = self.pixels.iter();
+        for row in tile.rows.0..tile.rows.1 {
+            for (column, pixel) in (tile.columns.0..tile.columns.1).zip(&mut pixels) {
+                film.set(column, row, *pixel);
+            }
+        }
+    }
+}
+
+fn camera_ray(scene: &Scene, settings: &Settings, column: u32, row: u32, sample: u32) -> Ray {
+    let [x, y] = pixel_position(settings.seed, column, row, sample, settings.samples);
+    let raster = [column as f32 + x, row as f32 + y];
+    let (origin, direction) = scene.camera.ray(raster, settings.width, settings.height);
+    let state = State {
+        origin,
+        direction,
+        point: origin,
+        dist: 0.0,
+        raster,
+        path: path_key(settings.seed, column, row, sample),
+        ..State::default()
+    };
+    Ray { state, origin, direction, site: 0 }
+}

@@ -1,0 +1,215 @@
+//! Building a scene.
+
+use std::sync::{Arc, PoisonError, RwLock};
+
+use glam::DVec3;
+use phenomenon_compiler::engine::Shade;
+use phenomenon_compiler::graph::RootKind;
+
+use super::depth::TraceDepth;
+use crate::bvh::{PrimitiveId, Tree, TreeError};
+use crate::camera::Camera;
+use crate::geometry::{
+    COORDINATE_LIMIT, Instance, Mesh, MeshError, PreparedRay, Primitive, RawHit, Shape, Sphere,
+    Surface, Transform, double, single,
+};
+use crate::lights::{Environment, Light};
+
+/// Why a scene could not be built.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SceneError {
+    /// A mesh is not usable.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// A sphere is not usable.
+    #[error("a sphere needs a finite centre and a radius above 0, both at most 1e12 in magnitude")]
+    BadSphere,
+    /// A sphere would become an ellipsoid.
+    #[error("a sphere can be scaled only by the same factor in every direction")]
+    UnevenSphere,
+    /// No tree could be built.
+    #[error(transparent)]
+    Tree(#[from] TreeError),
+}
+
+/// Collects what a scene is made of.
+pub struct SceneBuilder {
+    camera: Camera,
+    depth: TraceDepth,
+    primitives: Vec<(PrimitiveId, Primitive)>,
+    instances: Vec<Instance>,
+    materials: Vec<Arc<dyn Shade>>,
+    lights: Vec<Light>,
+    environment: Option<Environment>,
+}
+
+/// A scene ready to be rendered.
+pub struct Scene {
+    pub(crate) tree: Tree,
+    pub(crate) materials: Vec<Material>,
+    pub(crate) lights: Vec<Light>,
+    pub(crate) environment: Option<Environment>,
+    pub(crate) camera: Camera,
+    pub(crate) depth: TraceDepth,
+    /// Middle of the box round everything, and half its diagonal.
+    pub(crate) extent: (DVec3, f64),
+    instances: Vec<Instance>,
+    light_lists: RwLock<Vec<Arc<[u32]>>>,
+}
+
+/// A material with the roots it has.
+pub(crate) struct Material {
+    pub(crate) shader: Arc<dyn Shade>,
+    pub(crate) has_material: bool,
+    pub(crate) has_shadow: bool,
+}
+
+impl SceneBuilder {
+    /// An empty scene.
+    pub fn new(camera: Camera) -> Self {
+        Self {
+            camera,
+            depth: TraceDepth::default(),
+            primitives: Vec::new(),
+            instances: Vec::new(),
+            materials: Vec::new(),
+            lights: Vec::new(),
+            environment: None,
+        }
+    }
+
+    /// Sets the trace depth.
+    pub fn depth(&mut self, depth: TraceDepth) -> &mut Self {
+        self.depth = depth;
+        self
+    }
+
+    /// Sets what rays see that leave the scene.
+    pub fn environment(&mut self, environment: Environment) -> &mut Self {
+        self.environment = Some(environment);
+        self
+    }
+
+    /// Adds a light.
+    pub fn light(&mut self, light: Light) -> &mut Self {
+        self.lights.push(light);
+        self
+    }
+
+    /// Adds a material; objects name it by the number returned.
+    pub fn material(&mut self, shader: Arc<dyn Shade>) -> u32 {
+        self.materials.push(shader);
+        (self.materials.len() - 1) as u32
+    }
+
+    /// Adds a sphere.
+    pub fn sphere(
+        &mut self,
+        center: [f64; 3],
+        radius: f64,
+        transform: &Transform,
+        material: u32,
+    ) -> Result<&mut Self, SceneError> {
+        if !transform.is_regular() {
+            return Err(MeshError::IrregularTransform.into());
+        }
+        let scale = transform.uniform_scale().ok_or(SceneError::UnevenSphere)?;
+        let center = single(transform.point(DVec3::from(center)));
+        let radius = (radius * scale) as f32;
+        let inside = |x: f32| x.abs() <= COORDINATE_LIMIT;
+        if !(radius > 0.0 && inside(radius) && center.into_iter().all(inside)) {
+            return Err(SceneError::BadSphere);
+        }
+        let id = PrimitiveId { instance: self.instances.len() as u32, primitive: 0 };
+        self.primitives.push((id, Primitive::Sphere(Sphere { center, radius })));
+        self.instances.push(Instance { shape: Shape::Sphere, material });
+        Ok(self)
+    }
+
+    /// Adds a mesh.
+    pub fn mesh(
+        &mut self,
+        mesh: &Mesh,
+        transform: &Transform,
+        material: u32,
+    ) -> Result<&mut Self, SceneError> {
+        let mesh = mesh.transformed(transform)?;
+        let instance = self.instances.len() as u32;
+        self.primitives.extend((0..mesh.triangles.len()).map(|number| {
+            let id = PrimitiveId { instance, primitive: number as u32 };
+            (id, Primitive::Triangle(mesh.vertices(number)))
+        }));
+        self.instances.push(Instance { shape: Shape::Mesh(Arc::new(mesh)), material });
+        Ok(self)
+    }
+
+    /// Builds the tree. Objects whose material does not exist are shaded by nothing: black.
+    pub fn build(self) -> Result<Scene, SceneError> {
+        let tree = Tree::build(&self.primitives)?;
+        let extent = match tree.bounds() {
+            Some((low, high)) => {
+                let (low, high) = (double(low), double(high));
+                ((low + high) * 0.5, (high - low).length() * 0.5)
+            }
+            None => (DVec3::ZERO, 0.0),
+        };
+        let material = |shader: Arc<dyn Shade>| Material {
+            has_material: shader.has_root(RootKind::Material),
+            has_shadow: shader.has_root(RootKind::Shadow),
+            shader,
+        };
+        Ok(Scene {
+            tree,
+            materials: self.materials.into_iter().map(material).collect(),
+            lights: self.lights,
+            environment: self.environment,
+            camera: self.camera,
+            depth: self.depth,
+            extent,
+            instances: self.instances,
+            light_lists: RwLock::new(Vec::new()),
+        })
+    }
+}
+
+impl Scene {
+    /// Nearest hit of a ray at a distance above 0 and at most `farthest`.
+    #[inline]
+    pub fn intersect(&self, ray: &PreparedRay, farthest: f64) -> Option<RawHit> {
+        self.tree.nearest(ray, farthest)
+    }
+
+    /// The surface at a hit.
+    #[inline]
+    pub fn surface(&self, ray: &PreparedRay, hit: &RawHit) -> Surface {
+        let id = self.tree.id(hit.slot);
+        let shape = &self.instances[id.instance as usize].shape;
+        Surface::at(ray, hit, self.tree.primitive(hit.slot), shape, id.primitive)
+    }
+
+    /// Position of the material at a hit.
+    #[inline]
+    pub(crate) fn material_at(&self, hit: &RawHit) -> u32 {
+        self.instances[self.tree.id(hit.slot).instance as usize].material
+    }
+
+    /// How many primitives it has.
+    pub fn primitive_count(&self) -> usize {
+        self.tree.len()
+    }
+
+    /// Number of the list of these lights. Equal lists have equal numbers, whichever thread asks.
+    pub(crate) fn intern_light_list(&self, lights: &[u32]) -> u32 {
+        let mut lists = self.light_lists.write().unwrap_or_else(PoisonError::into_inner);
+        if let Some(number) = lists.iter().position(|list| **list == *lights) {
+            return number as u32;
+        }
+        lists.push(lights.into());
+        (lists.len() - 1) as u32
+    }
+
+    /// All lists of lights so far.
+    pub(crate) fn light_lists(&self) -> Vec<Arc<[u32]>> {
+        self.light_lists.read().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+}
