@@ -1,2 +1,76 @@
-//! x
-fn main() {}
+//! `phenomenon`: checks, renders and evaluates shader graphs from the command line.
+
+mod arguments;
+mod commands;
+mod failure;
+mod graphs;
+mod numbers;
+mod report;
+mod scenes;
+mod terminal;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::commands::{check, compare, eval, explain, fmt, nodes, render, schema};
+use crate::failure::{Failure, Outcome};
+
+/// Reads shader graphs, checks them, compiles them and renders pictures with them.
+#[derive(Debug, Parser)]
+#[command(version, arg_required_else_help = true, max_term_width = 100, after_help = EXIT_CODES)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  fine
+  1  check found something; compare found a difference above the tolerance
+  2  wrong usage, a file that cannot be read or written, a graph or scene that cannot be used";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Check(check::Arguments),
+    Compare(compare::Arguments),
+    Eval(eval::Arguments),
+    Explain(explain::Arguments),
+    Fmt(fmt::Arguments),
+    Nodes(nodes::Arguments),
+    Render(render::Arguments),
+    Schema(schema::Arguments),
+}
+
+fn main() -> ExitCode {
+    let command_line = match CommandLine::try_parse() {
+        Ok(command_line) => command_line,
+        Err(error) => {
+            // A closed pipe is no reason to complain; help goes to standard output with code 0.
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    match run(command_line.command) {
+        Ok(Outcome::Fine) => ExitCode::SUCCESS,
+        Ok(Outcome::Found) => ExitCode::from(1),
+        Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+        Err(failure) => {
+            terminal::complain(&failure);
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(command: Command) -> Result<Outcome, Failure> {
+    match command {
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
+        Command::Eval(arguments) => eval::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
+        Command::Fmt(arguments) => fmt::run(&arguments),
+        Command::Nodes(arguments) => nodes::run(&arguments),
+        Command::Render(arguments) => render::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments),
+    }
+}

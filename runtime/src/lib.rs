@@ -10,6 +10,7 @@ pub mod camera;
 pub mod film;
 pub mod geometry;
 pub mod lights;
+pub mod monoliths;
 pub mod render;
 pub mod sampling;
 pub mod scene;

@@ -18,7 +18,7 @@ pub(super) fn report(
     let (whole, part) = describe(draft, source);
     let message =
         format!("{} takes {}, but {whole} is {}", what(), with_article(to), with_article(from));
-    let help = help(draft.library, from, to, &part);
+    let help = help(&draft.library, from, to, &part);
     let mut finding =
         Finding::new(Code::TYPE_MISMATCH, reader.document.place(source.value), message, help);
     if let SourceKind::Parameter(parameter) = source.kind {
@@ -50,43 +50,68 @@ fn help(library: &NodeLibrary, from: Type, to: Type, part: &str) -> String {
     if (from, to) == (Type::Scalar, Type::Integer) {
         return "connect an integer: a scalar is never rounded unasked".into();
     }
-    let converting: Vec<String> = library
-        .iter()
-        .filter_map(|(_, definition)| converter(&definition.signature, from, to))
-        .take(3)
-        .collect();
-    if converting.is_empty() {
-        return format!("connect {} instead", with_article(to));
+    let single = converters(library, from, to);
+    if !single.is_empty() {
+        return format!("put `{part}` through {}", single.join(" or "));
     }
-    format!("put `{part}` through {}", converting.join(" or "))
+    // By way of numbers: take the value apart, put it together anew.
+    let apart = converters(library, from, Type::Scalar);
+    let together = converters(library, Type::Scalar, to);
+    match (apart.first(), together.first()) {
+        (Some(apart), Some(together)) => {
+            format!("put `{part}` through {apart}, and its outputs through {together}")
+        }
+        _ => format!("connect {} instead", with_article(to)),
+    }
 }
 
-/// How a node makes `to` of `from`, if it needs nothing else.
-fn converter(signature: &Signature, from: Type, to: Type) -> Option<String> {
-    if signature.kind != Kind::Plain {
+/// Up to two nodes that make `to` of `from`; those whose parts match in number first.
+fn converters(library: &NodeLibrary, from: Type, to: Type) -> Vec<String> {
+    let mut found: Vec<(usize, String)> = library
+        .iter()
+        .filter_map(|(_, definition)| converter(&definition.signature, from, to))
+        .collect();
+    found.sort_by_key(|(rank, _)| *rank);
+    let least = found.first().map_or(0, |(rank, _)| *rank);
+    found.into_iter().filter(|(rank, _)| *rank == least).map(|(_, name)| name).take(2).collect()
+}
+
+/// How a node makes `to` of `from` if it needs nothing else, and how roundabout that is.
+fn converter(signature: &Signature, from: Type, to: Type) -> Option<(usize, String)> {
+    // Phenomena, which are named for their files, convert nothing by intent.
+    if signature.kind != Kind::Plain || signature.name.contains(['.', '/']) {
         return None;
     }
-    let single = match signature.inputs.as_slice() {
-        [one] => one,
-        inputs => {
-            let mut required =
-                inputs.iter().filter(|input| matches!(input.default, Default::Required));
-            let one = required.next()?;
-            if required.next().is_some() {
-                return None;
-            }
-            one
+    let name = format!("a `{}` node", signature.name);
+    let output = signature.outputs.iter().position(|output| output.value_type == to);
+    let taken: Vec<bool> = signature.inputs.iter().map(|input| input.value_type == from).collect();
+    let needs_more = signature
+        .inputs
+        .iter()
+        .any(|input| matches!(input.default, Default::Required) && input.value_type != from);
+    if needs_more || !taken.contains(&true) {
+        return None;
+    }
+    let all = taken.iter().all(|taken| *taken);
+    match output {
+        Some(output) if output > 0 => {
+            let of = signature.outputs[output].name;
+            Some((2, format!("the output `{of}` of {name}")))
         }
-    };
-    if single.value_type != from {
-        return None;
+        // A node that takes values apart or puts them together is named for just that.
+        Some(_)
+            if signature.name.starts_with("split_") || signature.name.starts_with("combine_") =>
+        {
+            Some((0, name))
+        }
+        Some(_) if all && taken.len() == 1 => Some((0, name)),
+        Some(_) if all => Some((3, name)),
+        // A choice between two values of the wanted type.
+        None if from == Type::Boolean
+            && signature.outputs.iter().any(|output| output.value_type == Type::Generic) =>
+        {
+            Some((1, name))
+        }
+        _ => None,
     }
-    let output = signature.outputs.iter().position(|output| output.value_type == to)?;
-    Some(match output {
-        0 => format!("a `{}` node", signature.name),
-        _ => format!(
-            "the output `{}` of a `{}` node",
-            signature.outputs[output].name, signature.name
-        ),
-    })
 }

@@ -13,16 +13,25 @@
 
 mod bind_inputs;
 mod cycles;
+mod dead_inputs;
 mod draft;
+mod expand;
 mod graph;
+mod hazards;
 mod interface;
 mod light_loops;
 mod literals;
 mod mismatch;
+mod nested;
 mod nodes;
+mod ranges;
+mod reach;
+mod requirements;
 mod roots;
 mod sources;
 mod types;
 
-pub use graph::{Checked, MAX_NODES, check_graph, read_graph_file};
+pub use graph::{Checked, MAX_NODES, check_graph, check_graph_with, read_graph_file};
 pub use light_loops::reads_light;
+pub use nested::{Files, MAX_FILE_DEPTH, OnDisk};
+pub use roots::ShaderType;

@@ -68,6 +68,7 @@ pub(super) fn read<'d>(
         any = true;
         let Some(kind) = ShaderType::ALL.into_iter().find(|kind| kind.name() == member.key) else {
             unknown_root(reader, member);
+            draft.unresolved.set(true);
             continue;
         };
         let (color, ok) = read_root(reader, &member.value, draft);
@@ -89,13 +90,13 @@ fn unknown_root(reader: &mut Reader<'_>, member: &crate::document::Member) {
     let names = ShaderType::ALL.map(ShaderType::name);
     let near = crate::document::nearest(&member.key, names);
     let help = match near {
-        Some(near) => format!("did you mean `{near}`?"),
+        Some(near) => near.help(),
         None => format!("the shader types are {}", listed(names)),
     };
     let message = format!("there is no shader type `{}`", crate::document::shortened(&member.key));
     let place = reader.document.place_of_key(member);
     let mut finding = Finding::new(Code::UNKNOWN_ROOT, place, message, help);
-    finding.fix = near.map(|near| format!("{near:?}"));
+    finding.fix = near.and_then(|near| near.fix());
     reader.findings.push(finding);
 }
 

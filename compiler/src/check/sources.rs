@@ -68,7 +68,7 @@ fn connection<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) 
         let names = || signature.outputs.iter().map(|output| output.name);
         let near = draft.suggestions.nearest(output, names());
         let help = match near {
-            Some(near) => format!("did you mean `{near}`?"),
+            Some(near) => near.help(),
             None => format!("its outputs are {}", listed(names())),
         };
         let message = format!(
@@ -79,7 +79,7 @@ fn connection<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) 
         );
         let place = reader.document.place(given);
         let mut finding = Finding::new(Code::UNKNOWN_OUTPUT, place, message, help);
-        finding.fix = near.map(|near| format!("{near:?}"));
+        finding.fix = near.and_then(|near| near.fix());
         reader.findings.push(finding);
     }
     SourceKind::Node(node, found)
@@ -88,9 +88,9 @@ fn connection<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) 
 fn unknown_node(reader: &mut Reader<'_>, value: &Value, name: &str, draft: &Draft<'_>) {
     let near =
         draft.suggestions.nearest(name, draft.nodes.iter().map(|node| node.member.key.as_str()));
-    let mut fix = near.map(|near| format!("{near:?}"));
+    let mut fix = near.and_then(|near| near.fix());
     let help = match near {
-        Some(near) => format!("did you mean `{near}`?"),
+        Some(near) => near.help(),
         None if draft.parameter_names.contains_key(name) => {
             fix = None;
             format!("for the interface parameter write `{{ \"interface\": \"{name}\" }}`")
@@ -115,7 +115,7 @@ fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
     let names = || draft.parameters.iter().map(|parameter| parameter.member.key.as_str());
     let near = draft.suggestions.nearest(name, names());
     let help = match near {
-        Some(near) => format!("did you mean `{near}`?"),
+        Some(near) => near.help(),
         None if draft.node_names.contains_key(name) => {
             format!("for the node write `{{ \"node\": \"{name}\" }}`")
         }
@@ -130,7 +130,7 @@ fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
     let message = format!("the interface has no parameter `{}`", shortened(name));
     let place = reader.document.place(given);
     let mut finding = Finding::new(Code::UNKNOWN_PARAMETER, place, message, help);
-    finding.fix = near.map(|near| format!("{near:?}"));
+    finding.fix = near.and_then(|near| near.fix());
     reader.findings.push(finding);
     SourceKind::Broken
 }

@@ -127,6 +127,15 @@ codes! {
         "A graph is an object with the key `phenomenon`, a scene one with the key `scene`. This file is the other of the two, or neither.",
         wrong r#"{ "nodes": {}, "roots": { "material": 1 } }"#,
         right r#"{ "phenomenon": "a", "nodes": {}, "roots": { "material": 1 } }"#;
+    NOT_A_SCENE "not-a-scene" Error "A file that is no scene",
+        "A scene is an object with the key `scene`, a graph one with the key `phenomenon`. This file is the other of the two, or neither.",
+        wrong "", right "";
+    UNUSABLE_FILE "unusable-file" Error "A mesh or picture that cannot be used",
+        "A scene names a mesh or a picture that was found but is malformed, empty, or holds numbers that are not finite.",
+        wrong "", right "";
+    UNUSABLE_OBJECT "unusable-object" Error "A part of a scene that makes no sense",
+        "The numbers are each in range, but together they give no camera, light, object or transform: a camera that looks at itself, a transform that flattens, a sphere scaled unevenly.",
+        wrong "", right "";
     UNKNOWN_NODE_TYPE "unknown-node-type" Error "A node type that does not exist",
         "No node of this type is in the library. `phenomenon nodes` lists them all.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mixx" } }, "roots": { "material": { "node": "n" } } }"#,
@@ -174,4 +183,40 @@ codes! {
     TOO_MANY_NODES "too-many-nodes" Error "A graph past the size limit",
         "The number of nodes is limited, those of nested phenomena included.",
         wrong "", right "";
+    UNREACHABLE_NODE "unreachable-node" Warning "A node no root reaches",
+        "No root reads the node, directly or through others, so it is never evaluated. Only the last node of an unused part is reported.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": { "node": "n" } } }"#;
+    UNUSED_PARAMETER "unused-parameter" Warning "A parameter nothing reads",
+        "Setting the parameter changes nothing, because no node and no root reads it.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "interface": "p" } } }"#;
+    LITERAL_OUT_OF_RANGE "literal-out-of-range" Warning "A literal outside the range of its input",
+        "The node declares the values it is made for. Outside of them it still yields the same bits everywhere, but what they mean is not promised.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 50 } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 0.5 } } }, "roots": { "material": { "node": "n" } } }"#;
+    RANGE_PAST_INPUT "range-past-input" Warning "A parameter that may leave the range of the input it feeds",
+        "The range of the parameter is enforced where it is bound, but it is wider than what the node is made for.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 0.5, "min": 0, "max": 2 } }, "nodes": { "n": { "type": "mix", "inputs": { "weight": { "interface": "p" } } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 0.5, "min": 0, "max": 1 } }, "nodes": { "n": { "type": "mix", "inputs": { "weight": { "interface": "p" } } } }, "roots": { "material": { "node": "n" } } }"#;
+    DEAD_INPUT "dead-input" Note "A connection that is never evaluated",
+        "The inputs that decide whether this one is needed are constants, and they rule it out: the mix has weight 0, the condition is always true. What is connected here costs nothing and shows nowhere.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0.5, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#;
+    CONFLICTING_REQUIREMENTS "conflicting-requirements" Error "Requirements that cannot both hold",
+        "Requirements of the file, of its nodes and of the phenomena it uses are joined before rendering. Two of them contradict each other; the finding names both.",
+        wrong r#"{ "phenomenon": "a", "requires": { "trace": "off" }, "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "material": { "node": "t" } } }"#,
+        right r#"{ "phenomenon": "a", "requires": { "trace": "on" }, "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "material": { "node": "t" } } }"#;
+    VERSION_MISMATCH "version-mismatch" Error "Another version than the one asked for",
+        "A node may say which version of its type it was made for; 0, or nothing, asks for none. The nodes of the library have version 1, a phenomenon the `version` its file gives.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "version": 2 } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "version": 1 } }, "roots": { "material": { "node": "n" } } }"#;
+    RECURSION "recursion" Error "A phenomenon that is a part of itself",
+        "A phenomenon is expanded in the place of the node that uses it, so none may use itself, directly or through other files. The finding shows the way through the files. Files may be nested 32 deep.",
+        wrong r#"a.json: { … "nodes": { "n": { "type": { "file": "a.json" } } } … }"#,
+        right r#"a.json: { … "nodes": { "n": { "type": { "file": "b.json" } } } … }"#;
+    NUMERIC_HAZARD "numeric-hazard" Warning "A number that means nothing where it arrives",
+        "A constant or the range of a parameter lets a node divide by zero or raise a negative number to a power. The result is defined, and the same in every engine, but hardly what is wanted.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 0 } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 2 } } }, "roots": { "material": { "node": "n" } } }"#;
 }

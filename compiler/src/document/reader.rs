@@ -91,6 +91,11 @@ impl<'d> Reader<'d> {
 
     /// Reports that an object lacks a key.
     pub fn missing(&mut self, value: &Value, what: &str, key: &str) {
+        // A misspelt key was reported as the unknown one it is.
+        let misspelt = |member: &Member| member.key != key && nearest(&member.key, [key]).is_some();
+        if value.members().iter().any(misspelt) {
+            return;
+        }
         // The opening bracket is place enough: the object may be the whole file.
         let place = self.document.place_of_bytes(value.start, value.start + 1);
         self.findings.push(Finding::new(
@@ -130,12 +135,12 @@ impl<'d> Reader<'d> {
         let message = format!("{what} has no key `{}`", member.key);
         let near = nearest(&member.key, keys.iter().copied());
         let help = match near {
-            Some(near) => format!("did you mean `{near}`?"),
+            Some(near) => near.help(),
             None => format!("its keys are {}", listed(keys.iter().copied())),
         };
         let mut finding =
             Finding::new(Code::UNKNOWN_KEY, self.document.place_of_key(member), message, help);
-        finding.fix = near.map(|near| format!("{near:?}"));
+        finding.fix = near.and_then(|near| near.fix());
         self.findings.push(finding);
     }
 
@@ -181,7 +186,7 @@ impl<'d> Reader<'d> {
         match text.parse::<f64>() {
             Ok(number) if (number as f32).is_finite() => Some(number),
             _ => {
-                let message = format!("{what} is not finite in 32 bits");
+                let message = format!("{what} is {}, too large for 32 bits", shortened(text));
                 self.report(Code::NOT_FINITE, value, message, "the largest scalar is 3.4028235e38");
                 None
             }
@@ -225,7 +230,11 @@ impl<'d> Reader<'d> {
     }
 
     fn out_of_range(&mut self, value: &Value, what: &str, range: &RangeInclusive<f64>) {
-        let message = format!("{what} is {}, outside {}", value.describe(), shown(range));
+        let given = match &value.kind {
+            ValueKind::Number(text) => shortened(text),
+            _ => value.describe(),
+        };
+        let message = format!("{what} is {given}, outside {}", shown(range));
         self.report(
             Code::NUMBER_OUT_OF_RANGE,
             value,
@@ -273,7 +282,7 @@ impl<'d> Reader<'d> {
         let names = || choices.iter().map(|(name, _)| *name);
         let near = nearest(text, names());
         let help = match near {
-            Some(near) => format!("did you mean `{near}`?"),
+            Some(near) => near.help(),
             None => format!("write one of {}", listed(names())),
         };
         let mut finding = Finding::new(
@@ -282,7 +291,7 @@ impl<'d> Reader<'d> {
             format!("{what} cannot be `{text}`"),
             help,
         );
-        finding.fix = near.map(|near| format!("{near:?}"));
+        finding.fix = near.and_then(|near| near.fix());
         self.findings.push(finding);
         None
     }

@@ -3,32 +3,59 @@
 /// Longer names are not compared: the distance costs the product of the lengths.
 const MAX_LENGTH: usize = 64;
 
+/// A name that was probably meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Suggestion<'a> {
+    /// The name.
+    pub name: &'a str,
+    /// Whether it may be put in without asking: it is at most two edits away, and no other name is
+    /// as near.
+    pub sure: bool,
+}
+
+impl Suggestion<'_> {
+    /// The help that asks for it.
+    pub fn help(&self) -> String {
+        format!("did you mean `{}`?", self.name)
+    }
+
+    /// Its JSON text, where it may be put in without asking.
+    pub fn fix(&self) -> Option<String> {
+        self.sure.then(|| serde_json::Value::from(self.name).to_string())
+    }
+}
+
 /// The one of `names` nearest to `wrong`, if near enough to be meant: at most a third of the
 /// characters differ, swapped neighbours count once, upper and lower case are the same.
-pub fn nearest<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(
+    wrong: &str,
+    names: impl IntoIterator<Item = &'a str>,
+) -> Option<Suggestion<'a>> {
     let wrong: Vec<char> =
         wrong.chars().take(MAX_LENGTH + 1).flat_map(char::to_lowercase).collect();
     if wrong.is_empty() || wrong.len() > MAX_LENGTH {
         return None;
     }
-    let mut best: Option<(usize, &str)> = None;
+    let mut best: Option<(usize, Suggestion<'a>)> = None;
     for name in names {
         let letters: Vec<char> =
             name.chars().take(MAX_LENGTH).flat_map(char::to_lowercase).collect();
         let longest = letters.len().max(wrong.len());
         let allowed = (longest / 3).max(1);
-        let bound = best.map_or(allowed, |(distance, _)| allowed.min(distance.saturating_sub(1)));
-        if letters.len().abs_diff(wrong.len()) <= bound {
-            let distance = edit_distance(&wrong, &letters);
-            if distance <= bound && distance < longest {
-                best = Some((distance, name));
-                if distance == 0 {
-                    break;
-                }
-            }
+        let bound = best.as_ref().map_or(allowed, |(distance, _)| allowed.min(*distance));
+        if letters.len().abs_diff(wrong.len()) > bound {
+            continue;
+        }
+        let distance = edit_distance(&wrong, &letters);
+        if distance > bound || distance == longest {
+            continue;
+        }
+        match &mut best {
+            Some((least, suggestion)) if *least == distance => suggestion.sure = false,
+            _ => best = Some((distance, Suggestion { name, sure: distance <= 2 })),
         }
     }
-    best.map(|(_, name)| name)
+    best.map(|(_, suggestion)| suggestion)
 }
 
 /// Optimal string alignment: insertions, deletions, replacements and swaps of neighbours.
@@ -70,6 +97,8 @@ mod tests {
 
     #[test]
     fn the_nearest_name_is_near_enough_to_be_meant() {
+        let nearest =
+            |wrong: &str, names: [&'static str; 5]| nearest(wrong, names).map(|it| it.name);
         let names = ["weight", "a", "b", "perturb_normal", "color"];
         assert_eq!(nearest("wieght", names), Some("weight"));
         assert_eq!(nearest("Weight", names), Some("weight"));
@@ -79,5 +108,18 @@ mod tests {
         assert_eq!(nearest("c", names), None, "nothing of a one letter name is kept");
         assert_eq!(nearest("", names), None);
         assert_eq!(nearest(&"weight".repeat(100), names), None);
+    }
+
+    #[test]
+    fn a_suggestion_with_a_rival_is_not_sure() {
+        assert_eq!(
+            nearest("tint3", ["tint1", "tint2"]),
+            Some(Suggestion { name: "tint1", sure: false })
+        );
+        assert_eq!(nearest("tnit", ["tint", "ior"]), Some(Suggestion { name: "tint", sure: true }));
+        assert_eq!(
+            nearest("fresnl_reflctn", ["fresnel_reflection"]).map(|it| it.sure),
+            Some(false)
+        );
     }
 }

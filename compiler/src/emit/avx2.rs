@@ -322,8 +322,18 @@ impl Sink<Avx2> for Outputs {
     }
 }
 
+/// Apart, so that each kernel does not hold its portable form as well.
+#[cold]
+#[inline(never)]
+fn too_many_inputs<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
+    crate::engine::lanes::wide_portable::<B>(lanes, placement);
+}
+
 /// Runs `B` over the blocks. Output slots may be input slots too: a body reads a block's inputs
 /// before it writes.
+///
+/// # Safety
+/// The CPU must have AVX2 and FMA where the caller is not itself compiled for them.
 #[target_feature(enable = "avx2,fma")]
 pub fn run<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
     let count = placement.sources.len();
@@ -331,7 +341,7 @@ pub fn run<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
         return;
     }
     if count > MOST_INPUTS {
-        return crate::engine::lanes::wide_portable::<B>(lanes, placement);
+        return too_many_inputs::<B>(lanes, placement);
     }
     let last = placement.blocks - 1;
     let mut origins = [const { MaybeUninit::<Origin>::uninit() }; MOST_INPUTS];

@@ -153,6 +153,7 @@ pub trait Int:
     /// Nearest number, ties to even.
     fn to_real(self) -> Self::Real;
     /// The bits as a number.
+    #[expect(clippy::wrong_self_convention, reason = "the counterpart of `Real::to_bits`")]
     fn from_bits(self) -> Self::Real;
 }
 

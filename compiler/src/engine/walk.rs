@@ -282,8 +282,9 @@ impl Walk<'_> {
             }
             self.set(*fields + 3, sample.distance.to_bits());
             self.memory.stack.push(frame);
-            if let Some(body) = body {
-                self.memory.stack.push(Frame { instance: *body, next: 0 });
+            // A body that does not look at the light belongs to an outer epoch: once is enough.
+            if let Some(body) = body.filter(|body| !self.is_done(*body)) {
+                self.memory.stack.push(Frame { instance: body, next: 0 });
             }
             return true;
         }

@@ -84,7 +84,7 @@ impl Graph {
         }
         let names = || self.parameters.iter().map(|parameter| parameter.name.as_str());
         let help = match nearest(name, names()) {
-            Some(near) => format!("did you mean `{near}`?"),
+            Some(near) => near.help(),
             None if self.parameters.is_empty() => "it has no parameters at all".into(),
             None => format!("its parameters are {}", listed(names())),
         };

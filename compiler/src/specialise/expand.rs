@@ -399,16 +399,15 @@ impl Builder<'_> {
     }
 
     fn light_list(&mut self, view: usize) -> usize {
-        let names = (0..self.views.inputs(view)).find_map(|input| {
-            match self.views.resolve(view, input) {
+        let names =
+            (0..self.views.inputs(view)).find_map(|input| match self.views.resolve(view, input) {
                 Resolved::Literal(Literal::Lights(names)) => Some(names),
                 Resolved::Parameter(parameter) => match &self.values[parameter] {
                     Literal::Lights(names) => Some(names.clone()),
                     _ => None,
                 },
                 _ => None,
-            }
-        });
+            });
         let names = names.unwrap_or_default();
         let known = self.result.light_lists.iter().position(|list| *list == names);
         known.unwrap_or_else(|| {
@@ -435,7 +434,10 @@ impl Builder<'_> {
                     return Err(inconsistent(&name, "a scope has no scoped input"));
                 }
                 // What is left in the frame came from the scoped input, which comes last.
-                Built { demand: frame.demands.pop().map(|demand| demand.source), words: frame.words }
+                Built {
+                    demand: frame.demands.pop().map(|demand| demand.source),
+                    words: frame.words,
+                }
             }
             Kind::LightLoop => self.light_loop(frame, &name)?,
             Kind::Fields(_) => {
@@ -530,14 +532,7 @@ impl Builder<'_> {
 
 impl Frame {
     fn new(key: Key) -> Self {
-        Self {
-            key,
-            next: 0,
-            guard: None,
-            words: Vec::new(),
-            demands: Vec::new(),
-            inside: None,
-        }
+        Self { key, next: 0, guard: None, words: Vec::new(), demands: Vec::new(), inside: None }
     }
 }
 

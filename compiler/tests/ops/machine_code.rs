@@ -264,7 +264,7 @@ fn code_is_shared_and_freed() {
     let compile = || {
         let slots = case.slots.len();
         Arc::new(
-            JitCode::compile(&[case.segment.clone()], case.uniforms.len(), slots)
+            JitCode::compile(std::slice::from_ref(&case.segment), case.uniforms.len(), slots)
                 .expect("compiles"),
         )
     };

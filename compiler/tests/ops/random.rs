@@ -104,7 +104,7 @@ impl Ops {
         }
         let kind = yields(op, |id| self.kinds[id as usize]);
         // The bits of an integer as a number, now and then.
-        let kind = if kind == Kind::Int && choice % 11 == 0 { Kind::Real } else { kind };
+        let kind = if kind == Kind::Int && choice < 6 { Kind::Real } else { kind };
         self.add(op, kind);
     }
 

@@ -9,4 +9,4 @@ mod tiles;
 
 pub use context::Context;
 pub use statistics::{RayCounts, Statistics};
-pub use tiles::{RenderError, Rendered, Settings, render};
+pub use tiles::{RenderError, Rendered, SAMPLE_LIMIT, Settings, render};

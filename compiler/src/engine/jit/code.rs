@@ -225,7 +225,7 @@ fn failed(error: impl std::fmt::Display) -> JitError {
 }
 
 /// The host, with the given register allocator.
-fn target(allocator: &str) -> Result<Arc<dyn TargetIsa>, JitError> {
+pub(super) fn target(allocator: &str) -> Result<Arc<dyn TargetIsa>, JitError> {
     let mut flags = settings::builder();
     for (name, value) in [
         ("opt_level", "speed"),

@@ -314,3 +314,58 @@ impl Lowering<'_, '_> {
         self.builder.ins().vconst(to, constant)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use cranelift_codegen::Context;
+    use cranelift_codegen::control::ControlPlane;
+
+    use super::*;
+    use crate::engine::jit::JitCode;
+    use crate::engine::jit::code::target;
+
+    /// The loop body of two loads, `op` on them and what follows, as assembly.
+    fn assembly(ops: &[Op]) -> String {
+        let mut list = vec![Op::Load(0), Op::Load(1), Op::Load(2)];
+        list.extend(ops);
+        let stores = vec![(3, list.len() as u32 - 1)];
+        let sources = vec![Source::Slot(0), Source::Slot(1), Source::Slot(2)];
+        let segment = Segment { ops: list, sources, stores };
+        let isa = target("backtracking").expect("the host is x86-64");
+        let mut context = Context::new();
+        let frame = Frame { uniforms: 0, slots: 4 };
+        let config = isa.frontend_config();
+        lower(&segment, frame, config, &mut context.func, &mut FunctionBuilderContext::new());
+        context.set_disasm(true);
+        let code = context.compile(&*isa, &mut ControlPlane::default()).expect("compiles");
+        code.vcode.clone().expect("was asked for")
+    }
+
+    /// The patterns instruction selection knows may change with Cranelift: a slip costs time only,
+    /// so nothing else would show it.
+    #[test]
+    fn operations_become_the_instructions_meant() {
+        if JitCode::available().is_err() {
+            return;
+        }
+        for (ops, instruction) in [
+            (&[Op::Minimum(0, 1)][..], "vminps"),
+            (&[Op::Maximum(0, 1)], "vmaxps"),
+            (&[Op::MulAdd(0, 1, 2)], "vfmadd"),
+            (&[Op::Floor(0)], "vroundps"),
+            (&[Op::RoundEven(0)], "vroundps"),
+            (&[Op::ToInt(0)], "vcvttps2dq"),
+            (&[Op::IntMul(0, 1)], "vpmulld"),
+            (&[Op::Less(0, 1), Op::Select(3, 2, 0)], "blendv"),
+            (&[Op::IntLess(0, 1), Op::Select(3, 2, 0)], "blendv"),
+            (&[Op::Select(0, 1, 2)], "blendv"),
+        ] {
+            let text = assembly(ops);
+            assert!(text.contains(instruction), "{ops:?} without {instruction}:\n{text}");
+            assert!(!text.contains("call"), "{ops:?} calls:\n{text}");
+            // Loads, the loop's own and one or two for each operation, not a software sequence.
+            let lines = text.lines().filter(|line| line.contains("%xmm")).count();
+            assert!(lines <= 12, "{ops:?} takes {lines} vector instructions:\n{text}");
+        }
+    }
+}

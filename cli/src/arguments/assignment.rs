@@ -1,0 +1,35 @@
+//! `NAME=VALUE`, for parameters and state fields.
+
+/// A name and the text of its value, which only its type can tell how to read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Assignment {
+    /// Left of the first `=`.
+    pub name: String,
+    /// Right of it.
+    pub value: String,
+}
+
+/// Reads `NAME=VALUE`.
+pub fn assignment(text: &str) -> Result<Assignment, String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
+            Ok(Assignment { name: name.trim().into(), value: value.trim().into() })
+        }
+        _ => Err("write NAME=VALUE; a vector or colour is x,y,z".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_equals_sign_divides() {
+        let read = |text| assignment(text).map(|a| (a.name, a.value));
+        assert_eq!(read("tint=1,0,0"), Ok(("tint".into(), "1,0,0".into())));
+        assert_eq!(read("a=b=c"), Ok(("a".into(), "b=c".into())));
+        for text in ["", "=", "tint", "tint=", "=1", " = "] {
+            assert!(read(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! Flags with a few fixed values.
+
+use clap::ValueEnum;
+use phenomenon_compiler::engine::{Engine, Simd};
+
+/// `--engine`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum EngineChoice {
+    /// Batch at once, jit as soon as its code is ready
+    #[default]
+    Auto,
+    /// A tree walk with a cache, one point at a time
+    Walk,
+    /// Kernels of the node bodies, eight points wide
+    Batch,
+    /// Machine code made for this graph
+    Jit,
+    /// The hand-written Rust of this graph, where there is one
+    Monolith,
+}
+
+impl EngineChoice {
+    /// The engine of the compiler; none for a monolith, which the compiler does not know.
+    pub fn compiled(self) -> Option<Engine> {
+        match self {
+            EngineChoice::Auto => Some(Engine::Auto),
+            EngineChoice::Walk => Some(Engine::Walk),
+            EngineChoice::Batch => Some(Engine::Batch),
+            EngineChoice::Jit => Some(Engine::Jit),
+            EngineChoice::Monolith => None,
+        }
+    }
+
+    /// Name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            EngineChoice::Auto => "auto",
+            EngineChoice::Walk => "walk",
+            EngineChoice::Batch => "batch",
+            EngineChoice::Jit => "jit",
+            EngineChoice::Monolith => "monolith",
+        }
+    }
+}
+
+/// `--simd`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum SimdChoice {
+    /// The best this CPU has
+    #[default]
+    Native,
+    /// Portable code: the same bits, slower
+    Portable,
+}
+
+impl From<SimdChoice> for Simd {
+    fn from(choice: SimdChoice) -> Self {
+        match choice {
+            SimdChoice::Native => Simd::Native,
+            SimdChoice::Portable => Simd::Portable,
+        }
+    }
+}
+
+/// `--precision`. The tiers `fast` and `reference` do not exist yet, so they are no values.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Precision {
+    /// 32-bit numbers, functions within 2 units in the last place
+    #[default]
+    Standard,
+}
+
+/// `--format` of commands that print values.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For reading
+    #[default]
+    Human,
+    /// For programs
+    Json,
+}

@@ -1,0 +1,200 @@
+//! `phenomenon check`: everything that is wrong in graphs and scenes.
+
+use std::collections::BTreeMap;
+use std::io::{IsTerminal, Read};
+use std::path::{Path, PathBuf};
+
+use phenomenon_compiler::check::{Checked, check_graph};
+use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
+use phenomenon_compiler::document::{self, Document, MAX_FILE_BYTES, ValueKind};
+use phenomenon_compiler::nodes::NodeLibrary;
+
+use crate::failure::{Failure, Outcome};
+use crate::report::{Format, Report};
+use crate::terminal;
+
+/// Says all that is wrong in graphs and scenes.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// Files, folders (every .json file in them that is a graph or a scene), or `-` for standard
+    /// input.
+    #[arg(required = true, value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    /// How findings are written.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// Treat warnings as errors.
+    #[arg(long, value_name = "WHAT", value_parser = ["warnings"])]
+    deny: Option<String>,
+    /// Say nothing of findings with this code that are no errors; may be given many times.
+    #[arg(long, value_name = "CODE", value_parser = code)]
+    allow: Vec<Code>,
+    /// Put the names in that were surely meant, and check again.
+    #[arg(long)]
+    fix: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  phenomenon check graphs
+  phenomenon check glass.json --deny warnings --format sarif
+  cat glass.json | phenomenon check -
+
+Exit codes:
+  0  no errors
+  1  errors
+  2  wrong usage, or a file that cannot be read";
+
+fn code(name: &str) -> Result<Code, String> {
+    Code::from_name(name).ok_or_else(|| {
+        let codes = phenomenon_compiler::diagnostics::Explanation::ALL;
+        let names = codes.iter().map(|explanation| explanation.code.0);
+        match document::nearest(name, names) {
+            Some(near) => near.help(),
+            None => "`phenomenon explain` lists the codes".into(),
+        }
+    })
+}
+
+/// Runs the command.
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let library = NodeLibrary::standard();
+    let mut findings = Vec::new();
+    let mut omitted = 0;
+    for input in inputs(&arguments.paths)? {
+        let mut checked = check_input(&input, &library)?;
+        if arguments.fix && input.mend(&checked.findings)? {
+            checked = check_input(&input, &library)?;
+        }
+        omitted += checked.omitted;
+        findings.extend(checked.findings);
+    }
+    findings.retain(|finding| {
+        finding.severity == Severity::Error || !arguments.allow.contains(&finding.code)
+    });
+    if arguments.deny.is_some() {
+        for finding in &mut findings {
+            if finding.severity == Severity::Warning {
+                finding.severity = Severity::Error;
+            }
+        }
+    }
+    let unreadable = findings.iter().any(|finding| finding.code == Code::UNREADABLE_FILE);
+    let wrong = omitted > 0 || findings.iter().any(|finding| finding.severity == Severity::Error);
+    let color = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    terminal::print(&Report::new(findings, omitted).text(arguments.format, color))?;
+    Ok(match (unreadable, wrong) {
+        (true, _) => Outcome::Unreadable,
+        (_, true) => Outcome::Found,
+        _ => Outcome::Fine,
+    })
+}
+
+/// A file to check.
+#[derive(Debug)]
+struct Input {
+    path: PathBuf,
+    /// Met in a folder, so that a JSON file of another kind is passed over.
+    in_folder: bool,
+}
+
+impl Input {
+    fn is_standard_input(&self) -> bool {
+        self.path.as_os_str() == "-"
+    }
+
+    /// Writes the file anew with the sure suggestions put in; whether there were any.
+    fn mend(&self, findings: &[Finding]) -> Result<bool, Failure> {
+        if self.is_standard_input() {
+            return Err(Failure::new(
+                "--fix cannot change standard input",
+                "give the path of a file instead of `-`",
+            ));
+        }
+        let name = self.path.display().to_string();
+        // By place, so that no two overlap; from the end, so that places stay right.
+        let fixes: BTreeMap<usize, (&Finding, &String)> = findings
+            .iter()
+            .filter(|finding| finding.place.file.name == name)
+            .filter_map(|finding| Some((finding.place.start, (finding, finding.fix.as_ref()?))))
+            .collect();
+        let Some((_, (first, _))) = fixes.first_key_value() else { return Ok(false) };
+        let mut text = first.place.file.text.clone();
+        for (finding, fix) in fixes.values().rev() {
+            text.replace_range(finding.place.start..finding.place.end, fix);
+        }
+        std::fs::write(&self.path, text).map_err(|error| {
+            Failure::new(format!("cannot write `{name}`: {error}"), "check its permissions")
+        })?;
+        Ok(true)
+    }
+}
+
+fn check_input(input: &Input, library: &NodeLibrary) -> Result<Checked, Failure> {
+    let document = if input.is_standard_input() {
+        let mut bytes = Vec::new();
+        let limit = MAX_FILE_BYTES as u64 + 1;
+        std::io::stdin().lock().take(limit).read_to_end(&mut bytes).map_err(|error| {
+            Failure::new(format!("cannot read standard input: {error}"), "give a file instead")
+        })?;
+        document::read("-", &bytes)
+    } else {
+        document::read_file(&input.path)
+    };
+    Ok(match document {
+        Ok(document) if input.in_folder && !is_ours(&document) => Checked::default(),
+        Ok(document) => check_graph(&document, library),
+        Err(finding) => Checked { findings: vec![*finding], ..Checked::default() },
+    })
+}
+
+/// Whether a file met in a folder is a graph or a scene.
+fn is_ours(document: &Document) -> bool {
+    matches!(document.root.kind, ValueKind::Object(_))
+        && ["phenomenon", "scene", "roots"].iter().any(|key| document.root.get(key).is_some())
+}
+
+/// The files of `paths`, those of folders sorted by name. Folders reached through links are left
+/// out: a link may lead back to where it stands.
+fn inputs(paths: &[PathBuf]) -> Result<Vec<Input>, Failure> {
+    let mut inputs = Vec::new();
+    for path in paths {
+        if path.is_dir() {
+            let mut found = Vec::new();
+            let mut pending = vec![path.clone()];
+            while let Some(folder) = pending.pop() {
+                let mut files = entries(&folder)?;
+                files.retain(|(path, is_folder)| {
+                    if *is_folder {
+                        pending.push(path.clone());
+                    }
+                    !is_folder && path.extension().is_some_and(|extension| extension == "json")
+                });
+                found.extend(files.into_iter().map(|(path, _)| path));
+            }
+            found.sort();
+            inputs.extend(found.into_iter().map(|path| Input { path, in_folder: true }));
+        } else {
+            inputs.push(Input { path: path.clone(), in_folder: false });
+        }
+    }
+    Ok(inputs)
+}
+
+fn entries(folder: &Path) -> Result<Vec<(PathBuf, bool)>, Failure> {
+    let unreadable = |error: std::io::Error| {
+        let name = folder.display();
+        Failure::new(format!("cannot read the folder `{name}`: {error}"), "check its permissions")
+    };
+    let mut entries = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let entry = entry.map_err(unreadable)?;
+        let hidden = entry.file_name().to_string_lossy().starts_with('.');
+        if !hidden {
+            let is_folder = entry.file_type().map_err(unreadable)?.is_dir();
+            entries.push((entry.path(), is_folder));
+        }
+    }
+    Ok(entries)
+}

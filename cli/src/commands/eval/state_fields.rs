@@ -1,0 +1,247 @@
+//! `--state FIELD=VALUE`.
+
+use phenomenon_compiler::document::nearest;
+use phenomenon_compiler::nodes::{Literal, Type};
+use phenomenon_compiler::state::{Field, RayType, State};
+
+use crate::arguments::Assignment;
+use crate::failure::Failure;
+
+/// Directions this near to unit length are taken as they are, to the bit.
+const UNIT: f64 = 1e-6;
+
+/// Most reflections or refractions so far.
+const LEVELS: i32 = 1 << 20;
+
+const RAY_TYPES: [(&str, RayType); 7] = [
+    ("eye", RayType::Eye),
+    ("reflection", RayType::Reflection),
+    ("refraction", RayType::Refraction),
+    ("transparent", RayType::Transparent),
+    ("shadow", RayType::Shadow),
+    ("environment", RayType::Environment),
+    ("displace", RayType::Displace),
+];
+
+/// The default state with these fields set, and notes on what was changed to fit.
+///
+/// # Errors
+/// An unknown field, a field set twice, or a value the renderer never builds.
+pub fn state(assignments: &[Assignment]) -> Result<(State, Vec<String>), Failure> {
+    let mut state = State::default();
+    let mut notes = Vec::new();
+    let mut given: Vec<Field> = Vec::new();
+    for assignment in assignments {
+        let Assignment { name, value } = assignment;
+        let refuse =
+            |why: &str, help: &str| Failure::new(format!("--state {name}={value}: {why}"), help);
+        let field = field(name).map_err(|help| refuse("the state has no such field", &help))?;
+        if field.is_of_light() {
+            return Err(refuse(
+                "this field exists only inside a light loop",
+                "evaluate the loop; an empty scene has no lights",
+            ));
+        }
+        if given.contains(&field) {
+            return Err(refuse("the field is set twice", "leave one of them out"));
+        }
+        given.push(field);
+        let literal = parse(field, value).ok_or_else(|| refuse("no such value", form(field)))?;
+        let literal = admit(field, literal).map_err(|help| refuse("out of range", help))?;
+        if matches!(field, Field::Direction | Field::Normal | Field::NormalGeom) && literal.1 {
+            notes.push(format!("note: {name} was brought to unit length"));
+        }
+        let mut words = [0; 4];
+        for (word, given) in words.iter_mut().zip(literal.0.words()) {
+            *word = given;
+        }
+        field.write(&mut state, words);
+    }
+    if !given.contains(&Field::NormalGeom) {
+        state.normal_geom = state.normal;
+    }
+    if !given.contains(&Field::DotNd) {
+        state.dot_nd = dot(state.normal, state.direction).clamp(-1.0, 1.0);
+    }
+    Ok((state, notes))
+}
+
+fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
+    let products = a.iter().zip(b).map(|(x, y)| f64::from(*x) * f64::from(y));
+    products.sum::<f64>() as f32
+}
+
+fn field(name: &str) -> Result<Field, String> {
+    Field::from_name(name).ok_or_else(|| {
+        let names = || Field::ALL.iter().filter(|field| !field.is_of_light()).map(|f| f.name());
+        match nearest(name, names()) {
+            Some(near) => near.help(),
+            None => format!("the fields are {}", names().collect::<Vec<_>>().join(", ")),
+        }
+    })
+}
+
+/// The value, if it is of the field's type; numbers may still be NaN.
+fn parse(field: Field, text: &str) -> Option<Literal> {
+    if field == Field::RayType
+        && let Some((_, ray_type)) = RAY_TYPES.iter().find(|(name, _)| *name == text)
+    {
+        return Some(Literal::Integer(*ray_type as i32));
+    }
+    let number = |text: &str| text.trim().parse::<f32>().ok();
+    match field.value_type() {
+        Type::Boolean => match text {
+            "true" | "1" => Some(Literal::Boolean(true)),
+            "false" | "0" => Some(Literal::Boolean(false)),
+            _ => None,
+        },
+        Type::Integer => text.parse().ok().map(Literal::Integer),
+        Type::Scalar => number(text).map(Literal::Scalar),
+        Type::Vector => {
+            let numbers: Option<Vec<f32>> = text.split(',').take(4).map(number).collect();
+            numbers.and_then(|numbers| numbers.try_into().ok()).map(Literal::Vector)
+        }
+        Type::Color | Type::Lights | Type::Generic => None,
+    }
+}
+
+/// How a value of the field is written.
+fn form(field: Field) -> &'static str {
+    match field.value_type() {
+        Type::Boolean => "write true or false",
+        Type::Integer if field == Field::RayType => {
+            "write eye, reflection, refraction, transparent, shadow, environment, displace or 0 to 6"
+        }
+        Type::Integer => "write a whole number",
+        Type::Vector => "write three numbers, such as 0,0,1",
+        _ => "write a number, such as 0.5",
+    }
+}
+
+/// The value as the renderer would build it, and whether it had to be changed for that; or what
+/// would do.
+fn admit(field: Field, literal: Literal) -> Result<(Literal, bool), &'static str> {
+    match (field, literal) {
+        (Field::Direction | Field::Normal | Field::NormalGeom, Literal::Vector(vector)) => {
+            unit(vector)
+                .map(|(vector, changed)| (Literal::Vector(vector), changed))
+                .ok_or("give finite numbers that are not all 0")
+        }
+        (_, Literal::Vector(vector)) if vector.iter().any(|x| !x.is_finite()) => {
+            Err("give finite numbers")
+        }
+        (_, Literal::Scalar(x)) if !x.is_finite() => Err("give a finite number"),
+        (Field::DotNd, Literal::Scalar(x)) if !(-1.0..=1.0).contains(&x) => {
+            Err("give a number from -1 to 1")
+        }
+        (Field::Time, Literal::Scalar(x)) if !(0.0..=1.0).contains(&x) => {
+            Err("give a number from 0 to 1")
+        }
+        (Field::Dist | Field::Ior | Field::IorIn, Literal::Scalar(x)) if x < 0.0 => {
+            Err("give a number that is not negative")
+        }
+        (Field::RayType, Literal::Integer(x)) if !(0..=6).contains(&x) => Err(form(field)),
+        (Field::ReflectionLevel | Field::RefractionLevel, Literal::Integer(x))
+            if !(0..=LEVELS).contains(&x) =>
+        {
+            Err("give a whole number from 0 to 1048576")
+        }
+        (_, literal) => Ok((literal, false)),
+    }
+}
+
+/// The vector at unit length, and whether that changed it; none if it has no direction.
+fn unit(vector: [f32; 3]) -> Option<([f32; 3], bool)> {
+    let wide = vector.map(f64::from);
+    let length = wide.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if !length.is_finite() || length == 0.0 {
+        return None;
+    }
+    if (length - 1.0).abs() <= UNIT {
+        return Some((vector, false));
+    }
+    Some((wide.map(|x| (x / length) as f32), true))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arguments::assignment;
+
+    fn read(texts: &[&str]) -> Result<(State, Vec<String>), String> {
+        let assignments: Vec<_> = texts.iter().map(|text| assignment(text).unwrap()).collect();
+        state(&assignments).map_err(|failure| format!("{failure}; {}", failure.help()))
+    }
+
+    #[test]
+    fn what_is_not_given_follows() {
+        let (state, notes) = read(&["normal=0,1,0", "direction=0.6,-0.8,0"]).unwrap();
+        assert!(notes.is_empty());
+        assert_eq!(state.direction, [0.6, -0.8, 0.0]);
+        assert_eq!(state.normal_geom, [0.0, 1.0, 0.0]);
+        assert_eq!(state.dot_nd, -0.8);
+        let (state, _) = read(&["normal=0,1,0", "dot_nd=-0.0", "normal_geom=0,0,1"]).unwrap();
+        assert_eq!(state.dot_nd.to_bits(), (-0.0_f32).to_bits());
+        assert_eq!(state.normal_geom, [0.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn directions_are_brought_to_unit_length_and_that_is_said() {
+        for text in ["normal=0,3,4", "normal=0,3e30,4e30", "normal=0,3e-40,4e-40"] {
+            let (state, notes) = read(&[text]).unwrap();
+            assert!((state.normal[1] - 0.6).abs() < 1e-5, "{text} {:?}", state.normal);
+            assert_eq!(notes, ["note: normal was brought to unit length"]);
+        }
+    }
+
+    #[test]
+    fn every_field_of_the_state_can_be_set() {
+        for field in Field::ALL.iter().filter(|field| !field.is_of_light()) {
+            let value = match field.value_type() {
+                Type::Boolean => "true",
+                Type::Vector => "0,1,0",
+                _ => "1",
+            };
+            let text = format!("{}={value}", field.name());
+            let (state, _) = read(&[&text]).unwrap();
+            let words = field.read(&state);
+            let one = if field.value_type() == Type::Integer { 1 } else { 1.0_f32.to_bits() };
+            match field.value_type() {
+                Type::Boolean => assert_eq!(words[0], u32::MAX, "{text}"),
+                Type::Vector => assert_eq!(words, [0, one, 0, 0], "{text}"),
+                _ => assert_eq!(words[0], one, "{text}"),
+            }
+        }
+        assert_eq!(read(&["ray_type=shadow"]).unwrap().0.ray_type, RayType::Shadow);
+    }
+
+    #[test]
+    fn what_the_renderer_never_builds_is_refused() {
+        for text in [
+            "normal=0,0,0",
+            "normal=0,0",
+            "normal=0,0,1,0",
+            "direction=NaN,0,1",
+            "point=inf,0,0",
+            "u=NaN",
+            "u=",
+            "dist=-1",
+            "dot_nd=1.0000001",
+            "time=1.1",
+            "ior=-1e-45",
+            "ray_type=7",
+            "ray_type=eyes",
+            "reflection_level=-1",
+            "refraction_level=1.5",
+            "inv_normal=maybe",
+            "light_direction=0,0,1",
+        ] {
+            let Ok(assignment) = assignment(text) else { continue };
+            let failure = state(&[assignment]).expect_err(text);
+            assert!(failure.to_string().contains(text), "{failure}");
+            assert!(!failure.help().is_empty(), "{text}");
+        }
+        assert!(read(&["norml=0,0,1"]).unwrap_err().contains("did you mean `normal`?"));
+        assert!(read(&["u=1", "u=2"]).unwrap_err().contains("twice"));
+    }
+}

@@ -1,0 +1,141 @@
+//! Nodes as text for reading.
+
+use std::fmt::Write;
+
+use phenomenon_compiler::nodes::{Default, Input, Kind, Literal, Signature, Type};
+
+use super::{Group, first_sentence};
+
+/// Columns of running text.
+const WIDTH: usize = 96;
+
+/// Every group with its nodes, a line each.
+pub fn groups(groups: &[Group<'_>]) -> String {
+    let names = groups.iter().flat_map(|group| &group.nodes).map(|node| node.name.len());
+    let column = names.max().unwrap_or(0);
+    let mut text = String::new();
+    for group in groups {
+        let gap = if text.is_empty() { "" } else { "\n" };
+        let _ = writeln!(text, "{gap}{}: {}", group.name, group.doc);
+        for node in &group.nodes {
+            let _ = writeln!(text, "  {:column$}  {}", node.name, first_sentence(&node.doc));
+        }
+    }
+    text
+}
+
+/// All about one node.
+pub fn node(node: &Signature) -> String {
+    let mut text = format!("{} ({})\n\n", signature(node), node.group);
+    paragraphs(&mut text, 0, &node.doc);
+    if let Some(kind) = kind(&node.kind) {
+        let _ = writeln!(text, "\n{kind}");
+    }
+    if !node.inputs.is_empty() {
+        text.push_str("\nInputs\n");
+    }
+    for input in &node.inputs {
+        let _ = writeln!(text, "  {}: {}{}", input.name, input.value_type.name(), facts(input));
+        paragraphs(&mut text, 6, &input.doc);
+    }
+    text.push_str("\nOutputs\n");
+    for output in &node.outputs {
+        let range = range(output.value_type, *output.range.start(), *output.range.end());
+        let _ = writeln!(text, "  {}: {}{range}", output.name, output.value_type.name());
+        paragraphs(&mut text, 6, &output.doc);
+    }
+    let _ = writeln!(text, "\nSource: {}", node.source);
+    text
+}
+
+fn signature(node: &Signature) -> String {
+    let list = |names: Vec<&str>| names.join(", ");
+    let inputs = list(node.inputs.iter().map(|input| input.name).collect());
+    let outputs = list(node.outputs.iter().map(|output| output.name).collect());
+    format!("{}({inputs}) -> {outputs}", node.name)
+}
+
+fn kind(kind: &Kind) -> Option<String> {
+    match kind {
+        Kind::Plain | Kind::Fields(_) => None,
+        Kind::Request(effect) => Some(format!("Asks the renderer: {}.", effect.name())),
+        Kind::Scope(fields) => {
+            let names: Vec<&str> = fields.iter().map(|field| field.name()).collect();
+            Some(format!("Changes for its scoped input: {}.", names.join(", ")))
+        }
+        Kind::LightLoop => Some("Evaluates its scoped input once for each light sample.".into()),
+    }
+}
+
+fn facts(input: &Input) -> String {
+    let mut facts = default(&input.default);
+    facts.push_str(&range(input.value_type, *input.range.start(), *input.range.end()));
+    if input.guarded {
+        facts.push_str(", evaluated only where needed");
+    }
+    if input.scoped {
+        facts.push_str(", evaluated in the scope of this node");
+    }
+    facts
+}
+
+fn default(default: &Default) -> String {
+    match default {
+        Default::Required => ", must be given".into(),
+        Default::Literal(literal) => format!(" = {}", value(literal)),
+        Default::State(field) => format!(" = state.{}", field.name()),
+        Default::Node(name) => format!(" = {name}"),
+    }
+}
+
+fn value(literal: &Literal) -> String {
+    let list = |numbers: &[f32]| {
+        let texts: Vec<String> = numbers.iter().map(f32::to_string).collect();
+        format!("[{}]", texts.join(", "))
+    };
+    match literal {
+        Literal::Boolean(value) => value.to_string(),
+        Literal::Integer(value) => value.to_string(),
+        Literal::Scalar(value) => value.to_string(),
+        Literal::Color(value) => list(value),
+        Literal::Vector(value) => list(value),
+        Literal::Lights(names) if names.is_empty() => "every light".into(),
+        Literal::Lights(names) => names.join(", "),
+    }
+}
+
+fn range(value_type: Type, low: f64, high: f64) -> String {
+    if matches!(value_type, Type::Boolean | Type::Lights) {
+        return String::new();
+    }
+    let (from, to) = (low > -f64::from(f32::MAX), high < f64::from(f32::MAX));
+    let above_zero = low == f64::from(f32::MIN_POSITIVE);
+    match (from, to) {
+        (true, true) if above_zero => format!(", above 0, at most {high}"),
+        (true, true) => format!(", {low} to {high}"),
+        (true, false) if above_zero => ", above 0".into(),
+        (true, false) => format!(", at least {low}"),
+        (false, true) => format!(", at most {high}"),
+        (false, false) => String::new(),
+    }
+}
+
+fn paragraphs(text: &mut String, indent: usize, doc: &str) {
+    let mut column = 0;
+    for word in doc.split_whitespace() {
+        let length = word.chars().count();
+        if column > 0 && column + 1 + length > WIDTH {
+            text.push('\n');
+            column = 0;
+        }
+        if column == 0 {
+            text.extend(std::iter::repeat_n(' ', indent));
+            column = indent + length;
+        } else {
+            text.push(' ');
+            column += 1 + length;
+        }
+        text.push_str(word);
+    }
+    text.push('\n');
+}

@@ -1,0 +1,105 @@
+//! Nodes as JSON, version 1.
+
+use phenomenon_compiler::nodes::{Default, Input, Kind, Literal, Output, Signature, Type};
+use serde_json::{Map, Value, json};
+
+use super::Group;
+use crate::numbers::number;
+
+/// `{"version":1,"groups":[{"name","doc","nodes":[…]}]}`
+pub fn groups(groups: &[Group<'_>]) -> String {
+    let groups: Vec<Value> = groups
+        .iter()
+        .map(|group| {
+            let nodes: Vec<Value> = group.nodes.iter().map(|node| described(node)).collect();
+            json!({ "name": group.name, "doc": group.doc, "nodes": nodes })
+        })
+        .collect();
+    format!("{:#}\n", json!({ "version": 1, "groups": groups }))
+}
+
+/// `{"version":1,"node":{…}}`
+pub fn node(node: &Signature) -> String {
+    format!("{:#}\n", json!({ "version": 1, "node": described(node) }))
+}
+
+fn described(node: &Signature) -> Value {
+    let mut object = Map::new();
+    object.insert("name".into(), node.name.into());
+    object.insert("group".into(), node.group.into());
+    object.insert("doc".into(), node.doc.as_str().into());
+    object.insert("source".into(), node.source.into());
+    match &node.kind {
+        Kind::Request(effect) => {
+            object.insert("effect".into(), effect.name().into());
+        }
+        Kind::Scope(fields) => {
+            let names: Vec<&str> = fields.iter().map(|field| field.name()).collect();
+            object.insert("changes".into(), names.into());
+        }
+        Kind::Plain | Kind::Fields(_) | Kind::LightLoop => {}
+    }
+    object.insert("inputs".into(), node.inputs.iter().map(input).collect());
+    object.insert("outputs".into(), node.outputs.iter().map(output).collect());
+    Value::Object(object)
+}
+
+fn input(input: &Input) -> Value {
+    let mut object = socket(input.name, &input.doc, input.value_type);
+    let default = match &input.default {
+        Default::Required => None,
+        Default::Literal(literal) => Some(value(literal)),
+        Default::State(field) => Some(json!({ "state": field.name() })),
+        Default::Node(name) => Some(json!({ "node": name })),
+    };
+    object.insert("required".into(), default.is_none().into());
+    if let Some(default) = default {
+        object.insert("default".into(), default);
+    }
+    insert_range(&mut object, input.value_type, *input.range.start(), *input.range.end());
+    object.insert("guarded".into(), input.guarded.into());
+    object.insert("scoped".into(), input.scoped.into());
+    Value::Object(object)
+}
+
+fn output(output: &Output) -> Value {
+    let mut object = socket(output.name, &output.doc, output.value_type);
+    insert_range(&mut object, output.value_type, *output.range.start(), *output.range.end());
+    Value::Object(object)
+}
+
+fn socket(name: &str, doc: &str, value_type: Type) -> Map<String, Value> {
+    let types: Value = match value_type {
+        Type::Generic => value_type.name().split(" | ").collect(),
+        other => vec![other.name()].into(),
+    };
+    let mut object = Map::new();
+    object.insert("name".into(), name.into());
+    object.insert("types".into(), types);
+    object.insert("doc".into(), doc.into());
+    object
+}
+
+/// A limit that excludes no finite number is left out.
+fn insert_range(object: &mut Map<String, Value>, value_type: Type, low: f64, high: f64) {
+    if matches!(value_type, Type::Boolean | Type::Lights) {
+        return;
+    }
+    if low > -f64::from(f32::MAX) {
+        object.insert("min".into(), low.into());
+    }
+    if high < f64::from(f32::MAX) {
+        object.insert("max".into(), high.into());
+    }
+}
+
+fn value(literal: &Literal) -> Value {
+    match literal {
+        Literal::Boolean(value) => (*value).into(),
+        Literal::Integer(value) => (*value).into(),
+        Literal::Scalar(value) => number(*value),
+        Literal::Color(value) => value.iter().copied().map(number).collect(),
+        Literal::Vector(value) => value.iter().copied().map(number).collect(),
+        Literal::Lights(names) => names.as_slice().into(),
+    }
+}

@@ -1,0 +1,81 @@
+//! What a rendering cost, in a line and as JSON.
+
+use phenomenon_runtime::render::{Settings, Statistics};
+use serde_json::{Map, json};
+
+use crate::arguments::EngineChoice;
+
+/// What a rendering cost.
+#[derive(Debug)]
+pub struct Cost {
+    pub engine: EngineChoice,
+    pub settings: Settings,
+    pub statistics: Statistics,
+    /// Points shaded, by the engine that shaded them.
+    pub points: Vec<(&'static str, u64)>,
+    pub check_milliseconds: f64,
+    pub compile_milliseconds: f64,
+    pub render_milliseconds: f64,
+}
+
+impl Cost {
+    /// One line.
+    pub fn summary(&self) -> String {
+        let Settings { width, height, samples, .. } = self.settings;
+        let plural = if samples == 1 { "" } else { "s" };
+        format!(
+            "{width}x{height}, {samples} sample{plural}, engine {}, {:.2} s ({:.2} s shading), {} rays",
+            self.engine.name(),
+            self.render_milliseconds / 1e3,
+            self.statistics.shading_milliseconds / 1e3,
+            grouped(self.rays()),
+        )
+    }
+
+    /// `{"rays":{…},"points":{…},"milliseconds":{…}}`
+    pub fn json(&self) -> String {
+        let points: Map<_, _> =
+            self.points.iter().map(|(engine, count)| ((*engine).into(), (*count).into())).collect();
+        let object = json!({
+            "rays": self.statistics.rays,
+            "points": points,
+            "milliseconds": {
+                "check": self.check_milliseconds,
+                "compile": self.compile_milliseconds,
+                "render": self.render_milliseconds,
+                "shading": self.statistics.shading_milliseconds,
+            },
+            "threads": self.statistics.threads,
+        });
+        format!("{object:#}\n")
+    }
+
+    /// All rays that were intersected with the scene.
+    fn rays(&self) -> u64 {
+        let rays = &self.statistics.rays;
+        rays.eye + rays.reflection + rays.refraction + rays.transparent + rays.probe + rays.shadow
+    }
+}
+
+/// Digits in groups of three.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_are_grouped() {
+        assert_eq!([0, 999, 1000, 12_345_678].map(grouped), ["0", "999", "1,000", "12,345,678"]);
+    }
+}

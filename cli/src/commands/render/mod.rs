@@ -1,0 +1,159 @@
+//! `phenomenon render`.
+
+mod cost;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Instant;
+
+use clap::Args;
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_runtime::film;
+use phenomenon_runtime::render::{Rendered, Settings};
+use phenomenon_runtime::scene::SceneOptions;
+
+use self::cost::Cost;
+use crate::arguments::{self, Assignment, NodePath, Size};
+use crate::failure::{Failure, Outcome};
+use crate::graphs::EngineArguments;
+use crate::scenes::{self, Change, Picture};
+use crate::terminal;
+
+/// Render a picture of a scene, or of a graph in the default scene.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A graph or scene file
+    file: PathBuf,
+
+    #[command(flatten)]
+    engine: EngineArguments,
+
+    /// Width and height in pixels; otherwise as the scene says
+    #[arg(long, value_name = "WxH", value_parser = arguments::size, allow_hyphen_values = true)]
+    size: Option<Size>,
+
+    /// Samples of every pixel; otherwise as the scene says
+    #[arg(long, value_name = "N", value_parser = arguments::samples, allow_hyphen_values = true)]
+    spp: Option<u32>,
+
+    /// Threads; otherwise as many as the machine has
+    #[arg(long, value_name = "N", value_parser = arguments::threads, allow_hyphen_values = true)]
+    threads: Option<usize>,
+
+    /// Seed of all random numbers; otherwise as the scene says
+    #[arg(long, value_name = "N", value_parser = arguments::seed, allow_hyphen_values = true)]
+    seed: Option<u64>,
+
+    /// Give a parameter of the graph another value than its default; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = arguments::assignment)]
+    set: Vec<Assignment>,
+
+    /// Show this node of the graph: a vector as red, green and blue, a truth value as white or black
+    #[arg(long, value_name = "NODE[.OUTPUT]", value_parser = arguments::node_path)]
+    node: Option<NodePath>,
+
+    /// Where the picture goes; otherwise NAME.png here, for a file called NAME.json
+    #[arg(short, value_name = "FILE.png|exr|hdr", value_parser = arguments::picture)]
+    output: Option<PathBuf>,
+
+    /// Multiply the colours of a PNG by this
+    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = arguments::exposure,
+          allow_hyphen_values = true)]
+    exposure: f32,
+
+    /// Write counts of rays and points, and times, as JSON
+    #[arg(long, value_name = "FILE.json")]
+    stats: Option<PathBuf>,
+
+    /// Say nothing but what is wrong
+    #[arg(long)]
+    quiet: bool,
+}
+
+const EXAMPLES: &str = "\
+PNG is sRGB-encoded; EXR and HDR keep scene-linear values. The picture depends on the file, size,
+samples, seed and parameters alone: engine (but monolith), threads, batch and simd change no bit.
+
+Examples:
+  phenomenon render graphs/glass/advanced_glass.json
+  phenomenon render graphs/glass/advanced_glass.json --set ior=1.3 --size 256x256 --spp 64 -o glass.exr
+  phenomenon render graphs/glass/advanced_glass.json --node facing --engine walk -o facing.png
+  phenomenon render scenes/teapot.json --threads 2 --stats teapot-stats.json";
+
+/// Runs the command.
+///
+/// # Errors
+/// A graph or scene that cannot be used, a value that does not suit its name, or a file that
+/// cannot be written; the last is found out before rendering.
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let output = match &arguments.output {
+        Some(path) => path.clone(),
+        None => default_output(arguments)?,
+    };
+    arguments::require_writable("-o", &output)?;
+    if let Some(path) = &arguments.stats {
+        arguments::require_writable("--stats", path)?;
+    }
+    let library = Arc::new(NodeLibrary::standard());
+    let change = Change { set: &arguments.set, node: arguments.node.as_ref() };
+    let picture = scenes::load(&arguments.file, &library, &arguments.engine, &change)?;
+    let settings = settings(arguments, &picture);
+    let start = Instant::now();
+    let rendered = render(&picture, &settings, arguments.quiet)?;
+    let cost = Cost {
+        engine: arguments.engine.engine,
+        settings,
+        statistics: rendered.statistics,
+        points: picture.points(arguments.engine.engine, rendered.statistics.points),
+        check_milliseconds: picture.check_milliseconds,
+        compile_milliseconds: picture.compile_milliseconds(),
+        render_milliseconds: start.elapsed().as_secs_f64() * 1e3,
+    };
+    film::write(&rendered.film, &output, arguments.exposure)
+        .map_err(|error| Failure::new(error, "name another file with -o"))?;
+    if let Some(path) = &arguments.stats {
+        std::fs::write(path, cost.json()).map_err(|error| {
+            Failure::new(format!("--stats {}: {error}", path.display()), "name another file")
+        })?;
+    }
+    if !arguments.quiet {
+        terminal::tell(&format!("{}: {}", output.display(), cost.summary()));
+    }
+    Ok(Outcome::Fine)
+}
+
+fn default_output(arguments: &Arguments) -> Result<PathBuf, Failure> {
+    let name = arguments.file.file_stem().ok_or_else(|| {
+        let message = format!("{} is no file", arguments.file.display());
+        Failure::new(message, "give a graph or scene file")
+    })?;
+    let mut name = name.to_os_string();
+    name.push(".png");
+    Ok(name.into())
+}
+
+fn settings(arguments: &Arguments, picture: &Picture) -> Settings {
+    let SceneOptions { width, height, samples, seed, .. } = picture.options;
+    let size = arguments.size.unwrap_or(Size { width, height });
+    Settings {
+        width: size.width,
+        height: size.height,
+        samples: arguments.spp.unwrap_or(samples),
+        seed: arguments.seed.unwrap_or(seed),
+        threads: arguments.threads.unwrap_or(0),
+        batch: arguments.engine.batch as usize,
+        ..Settings::default()
+    }
+}
+
+fn render(picture: &Picture, settings: &Settings, quiet: bool) -> Result<Rendered, Failure> {
+    let bar = terminal::progress("tiles", quiet);
+    let rendered = phenomenon_runtime::render::render(&picture.scene, settings, &|done, total| {
+        bar.set_length(total as u64);
+        bar.set_position(done as u64);
+    });
+    bar.finish_and_clear();
+    rendered
+        .map_err(|error| Failure::new(error, "choose other values for --size, --spp or --threads"))
+}

@@ -1,0 +1,101 @@
+//! Graph files, parameters and engines, as every command that shades needs them.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use clap::Args;
+use phenomenon_compiler::check::{Checked, read_graph_file};
+use phenomenon_compiler::engine::{Engine, Options, Shader};
+use phenomenon_compiler::graph::Graph;
+use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+
+use crate::arguments::{self, Assignment, EngineChoice, Precision, SimdChoice};
+use crate::failure::Failure;
+use crate::report;
+
+/// The flags that say how a graph is run.
+#[derive(Debug, Args)]
+pub struct EngineArguments {
+    /// What runs the graph; no choice but monolith changes a bit of the result
+    #[arg(long, value_enum, default_value_t)]
+    pub engine: EngineChoice,
+
+    /// How exactly
+    #[arg(long, value_enum, default_value_t)]
+    pub precision: Precision,
+
+    /// Forms of the node bodies, for tests: the same bits
+    #[arg(long, value_enum, default_value_t)]
+    pub simd: SimdChoice,
+
+    /// Most points shaded at once, for tests: the same bits
+    #[arg(long, value_name = "N", default_value = "256", value_parser = arguments::batch,
+          allow_hyphen_values = true)]
+    pub batch: u32,
+}
+
+impl EngineArguments {
+    /// Options of the compiler for one of its engines.
+    pub fn options(&self, engine: Engine) -> Options {
+        Options { engine, simd: self.simd.into(), batch: self.batch as usize }
+    }
+}
+
+/// Reads and checks a graph; what was found goes to standard error.
+///
+/// # Errors
+/// The file cannot be read, or has errors.
+pub fn read(path: &Path, library: &NodeLibrary) -> Result<Graph, Failure> {
+    checked(path, read_graph_file(path, library))
+}
+
+/// The graph that was checked; what was found goes to standard error.
+///
+/// # Errors
+/// There were errors.
+pub fn checked(path: &Path, checked: Checked) -> Result<Graph, Failure> {
+    report::tell(&checked.findings, checked.omitted);
+    checked.graph.ok_or_else(|| unusable(path))
+}
+
+/// The failure after findings that were shown.
+pub fn unusable(path: &Path) -> Failure {
+    Failure::new(
+        format!("{} cannot be used", path.display()),
+        "mend the errors above; `phenomenon check` shows them all",
+    )
+}
+
+/// Binds `--set` to the parameters of a graph.
+///
+/// # Errors
+/// There is no such parameter, it is set twice, or the value does not suit it.
+pub fn bind(graph: &Graph, settings: &[Assignment]) -> Result<Vec<(String, Literal)>, Failure> {
+    let mut values: Vec<(String, Literal)> = Vec::with_capacity(settings.len());
+    for Assignment { name, value } in settings {
+        if values.iter().any(|(known, _)| known == name) {
+            let message = format!("--set {name}={value}: `{name}` is set twice");
+            return Err(Failure::new(message, "leave one of them out"));
+        }
+        let literal = graph
+            .bind(name, value)
+            .map_err(|error| Failure::new(format!("--set {name}={value}: {error}"), ""))?;
+        values.push((name.clone(), literal));
+    }
+    Ok(values)
+}
+
+/// Compiles a graph.
+///
+/// # Errors
+/// It is too large for the engine, or the engine does not run here.
+pub fn compile(
+    graph: Graph,
+    library: &Arc<NodeLibrary>,
+    values: &[(String, Literal)],
+    options: Options,
+) -> Result<Shader, Failure> {
+    let name = graph.name.clone();
+    Shader::new(Arc::new(graph), Arc::clone(library), values, options)
+        .map_err(|error| Failure::new(format!("`{name}`: {error}"), ""))
+}

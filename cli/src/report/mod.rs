@@ -1,0 +1,61 @@
+//! Findings as text, in the formats of `check`.
+
+mod github;
+mod human;
+mod json;
+mod sarif;
+
+use clap::ValueEnum;
+use phenomenon_compiler::diagnostics::{Finding, Severity};
+
+pub use human::tell;
+
+/// Most findings that are shown; the rest is a number.
+pub const SHOWN_FINDINGS: usize = 1000;
+
+/// How findings are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// With an excerpt of the file, for people.
+    #[default]
+    Human,
+    /// One object, for programs.
+    Json,
+    /// SARIF 2.1.0, for code scanning services.
+    Sarif,
+    /// Workflow commands, which GitHub shows beside the lines.
+    Github,
+}
+
+/// The findings of a run, as far as they are shown.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// What is shown.
+    pub shown: Vec<Finding>,
+    /// How many are not.
+    pub omitted: usize,
+}
+
+impl Report {
+    /// A report of `findings`, of which the first [`SHOWN_FINDINGS`] are shown, and of `omitted` more.
+    pub fn new(mut findings: Vec<Finding>, omitted: usize) -> Self {
+        let hidden = findings.len().saturating_sub(SHOWN_FINDINGS);
+        findings.truncate(SHOWN_FINDINGS);
+        Self { shown: findings, omitted: omitted + hidden }
+    }
+
+    /// The report as text; `color` asks for terminal colours where the format knows them.
+    pub fn text(&self, format: Format, color: bool) -> String {
+        match format {
+            Format::Human => human::text(self, color),
+            Format::Json => json::text(self),
+            Format::Sarif => sarif::text(self),
+            Format::Github => github::text(self),
+        }
+    }
+
+    /// How many shown findings have that severity.
+    fn count(&self, severity: Severity) -> usize {
+        self.shown.iter().filter(|finding| finding.severity == severity).count()
+    }
+}

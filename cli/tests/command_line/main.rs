@@ -1,0 +1,9 @@
+//! The program as its users run it: what it prints and how it ends.
+
+mod check;
+mod compare;
+mod eval;
+mod nodes;
+mod program;
+mod readme;
+mod usage;

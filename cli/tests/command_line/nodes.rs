@@ -1,0 +1,68 @@
+//! `phenomenon nodes`.
+
+use phenomenon_compiler::nodes::{GROUPS, NodeLibrary};
+use serde_json::Value;
+
+use crate::program::{printed, refused};
+
+#[test]
+fn the_listing_has_every_group_and_node() {
+    let listing = printed(&["nodes"]);
+    for (group, _) in GROUPS {
+        assert!(listing.contains(&format!("{group}: ")), "{group}");
+    }
+    for (_, definition) in NodeLibrary::standard().iter() {
+        let name = definition.signature.name;
+        let lines = listing.lines().filter(|line| line.split_whitespace().next() == Some(name));
+        assert_eq!(lines.count(), 1, "{name}");
+    }
+}
+
+#[test]
+fn a_node_is_told_in_full() {
+    for (_, definition) in NodeLibrary::standard().iter() {
+        let signature = &definition.signature;
+        let text = printed(&["nodes", signature.name]);
+        for input in &signature.inputs {
+            assert!(text.contains(&format!("  {}: {}", input.name, input.value_type.name())));
+        }
+        for output in &signature.outputs {
+            assert!(text.contains(&format!("  {}: {}", output.name, output.value_type.name())));
+        }
+    }
+    let mix = printed(&["nodes", "mix"]);
+    assert!(mix.starts_with("mix(weight, a, b) -> result (color)\n"), "{mix}");
+    assert!(mix.contains("weight: scalar = 0.5, 0 to 1\n"), "{mix}");
+}
+
+#[test]
+fn json_holds_what_the_library_holds() {
+    let all: Value = serde_json::from_str(&printed(&["nodes", "--format", "json"])).unwrap();
+    assert_eq!(all["version"], 1);
+    let groups = all["groups"].as_array().unwrap();
+    let nodes: Vec<&Value> =
+        groups.iter().flat_map(|group| group["nodes"].as_array().unwrap()).collect();
+    assert_eq!(nodes.len(), NodeLibrary::standard().iter().count());
+    let mix: Value = serde_json::from_str(&printed(&["nodes", "mix", "--format", "json"])).unwrap();
+    assert!(nodes.contains(&&mix["node"]));
+    let weight = &mix["node"]["inputs"][0];
+    assert_eq!(weight["name"], "weight");
+    assert_eq!(
+        (&weight["default"], &weight["min"], &weight["max"]),
+        (&0.5.into(), &0.0.into(), &1.0.into())
+    );
+}
+
+#[test]
+fn a_group_is_listed_alone() {
+    let listing = printed(&["nodes", "fresnel"]);
+    assert!(listing.starts_with("fresnel: "), "{listing}");
+    assert!(!listing.contains("arithmetic:"), "{listing}");
+}
+
+#[test]
+fn an_unknown_name_gets_a_suggestion() {
+    refused(&["nodes", "fresnel_reflecton"], &["`fresnel_reflecton`", "`fresnel_reflection`"]);
+    refused(&["nodes", "zzzzzzzz"], &["`phenomenon nodes`"]);
+    refused(&["nodes", ""], &["no node or group ``"]);
+}

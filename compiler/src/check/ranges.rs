@@ -1,0 +1,100 @@
+//! Values outside the ranges nodes declare: literals surely, parameters by their own range.
+
+use std::ops::RangeInclusive;
+
+use crate::diagnostics::{Code, Finding};
+use crate::document::{Reader, Value, ValueKind, shortened, shown};
+use crate::nodes::{FINITE, Input, Literal, Type};
+
+use super::draft::{Draft, SourceKind};
+
+/// Reports what arrives at inputs from outside their declared range.
+pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
+    for (node, drafted) in draft.nodes.iter().enumerate() {
+        let Some(node_type) = drafted.node_type else { continue };
+        let signature = draft.library.signature(node_type);
+        for given in &drafted.inputs {
+            let Some(input) = given.input.map(|at| &signature.inputs[at]) else { continue };
+            if input.range == FINITE || input.value_type == Type::Lights {
+                continue;
+            }
+            let what = || {
+                let name = shortened(draft.name(node));
+                format!("input `{}` of node `{name}` ({})", input.name, signature.name)
+            };
+            match given.source.kind {
+                SourceKind::Literal => {
+                    // The ranges of a phenomenon's parameters are enforced, those of nodes are not.
+                    let code = match draft.nested.contains_key(&node_type) {
+                        true => Code::NUMBER_OUT_OF_RANGE,
+                        false => Code::LITERAL_OUT_OF_RANGE,
+                    };
+                    literal(reader, given.source.value, input, code, &what);
+                }
+                SourceKind::Parameter(at) => {
+                    parameter(reader, draft, at, given.source.value, input, &what);
+                }
+                SourceKind::Node(..) | SourceKind::Broken => {}
+            }
+        }
+    }
+}
+
+fn literal(
+    reader: &mut Reader<'_>,
+    value: &Value,
+    input: &Input,
+    code: Code,
+    what: &dyn Fn() -> String,
+) {
+    let elements = match &value.kind {
+        // Alpha has no range.
+        ValueKind::Array(elements) if matches!(elements.len(), 3 | 4) => &elements[..3],
+        _ => std::slice::from_ref(value),
+    };
+    let outside = elements.iter().find(|element| match &element.kind {
+        ValueKind::Number(text) => {
+            text.parse::<f64>().is_ok_and(|x| (x as f32).is_finite() && !holds(&input.range, x))
+        }
+        _ => false,
+    });
+    if let Some(ValueKind::Number(number)) = outside.map(|element| &element.kind) {
+        let range = shown(&input.range);
+        let message = format!("{} is {}, outside {range}", what(), shortened(number));
+        let help =
+            format!("give a number in {range}; outside of it the result has no promised meaning");
+        reader.report(code, value, message, help);
+    }
+}
+
+/// A parameter without a range of its own promises nothing, and is not told of.
+fn parameter(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    at: usize,
+    value: &Value,
+    input: &Input,
+    what: &dyn Fn() -> String,
+) {
+    let Some(parameter) = &draft.parameters[at].parameter else { return };
+    if parameter.range == FINITE || matches!(parameter.default, Literal::Boolean(_)) {
+        return;
+    }
+    let (low, high) = (*parameter.range.start(), *parameter.range.end());
+    if holds(&input.range, low) && holds(&input.range, high) {
+        return;
+    }
+    let (own, range) = (shown(&parameter.range), shown(&input.range));
+    let name = shortened(&parameter.name);
+    let message = format!("{} takes {range}, but parameter `{name}` may be {own}", what());
+    let help = format!("narrow `min` and `max` of `{name}`, or clamp it");
+    let place = reader.document.place(value);
+    let declared = reader.document.place_of_key(draft.parameters[at].member);
+    let finding = Finding::new(Code::RANGE_PAST_INPUT, place, message, help);
+    reader.findings.push(finding.with_related(declared, "declared here"));
+}
+
+/// Whether a range holds a number, both rounded as they are kept.
+fn holds(range: &RangeInclusive<f64>, number: f64) -> bool {
+    (*range.start() as f32) <= number as f32 && number as f32 <= (*range.end() as f32)
+}

@@ -1,0 +1,70 @@
+//! Nodes no root reaches, and parameters nothing reads.
+
+use crate::diagnostics::{Code, Finding};
+use crate::document::{Reader, ValueKind, shortened};
+
+use super::draft::{Draft, Source, SourceKind};
+
+/// Reports the nodes at the top of what no root reaches, and the unused parameters. Says nothing
+/// where a connection could not be resolved: it may be the one that is missing.
+pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
+    let sources = || {
+        let inputs = draft.nodes.iter().flat_map(|node| &node.inputs).map(|input| &input.source);
+        inputs.chain(draft.roots.iter().flat_map(|root| [&root.color, &root.ok]).flatten())
+    };
+    // A string is no literal anywhere; it was meant as a name.
+    let broken = |source: &Source<'_>| {
+        source.kind == SourceKind::Broken || matches!(source.value.kind, ValueKind::String(_))
+    };
+    let rootless = draft.roots.is_empty() || draft.roots.iter().any(|root| root.color.is_none());
+    if draft.unresolved.get() || rootless || sources().any(broken) {
+        return;
+    }
+    unreachable_nodes(reader, draft);
+    let mut used = vec![false; draft.parameters.len()];
+    for source in sources() {
+        if let SourceKind::Parameter(parameter) = source.kind {
+            used[parameter] = true;
+        }
+    }
+    for (parameter, used) in draft.parameters.iter().zip(used) {
+        if !used {
+            let name = shortened(&parameter.member.key);
+            let place = reader.document.place_of_key(parameter.member);
+            let message = format!("nothing reads parameter `{name}`");
+            let help = format!("connect it with `{{ \"interface\": \"{name}\" }}`, or remove it");
+            reader.findings.push(Finding::new(Code::UNUSED_PARAMETER, place, message, help));
+        }
+    }
+}
+
+fn unreachable_nodes(reader: &mut Reader<'_>, draft: &Draft<'_>) {
+    let mut reached = vec![false; draft.nodes.len()];
+    let mut pending: Vec<usize> = Vec::new();
+    for source in draft.roots.iter().flat_map(|root| [root.color, root.ok]).flatten() {
+        if let SourceKind::Node(node, _) = source.kind {
+            pending.push(node);
+        }
+    }
+    while let Some(node) = pending.pop() {
+        if !std::mem::replace(&mut reached[node], true) {
+            pending.extend(draft.reads(node).map(|(source, _)| source));
+        }
+    }
+    // What only an unreached node reads is unreached because of it: only the tops are told.
+    let mut read = vec![false; draft.nodes.len()];
+    for node in 0..draft.nodes.len() {
+        for (source, _) in draft.reads(node) {
+            read[source] = true;
+        }
+    }
+    for node in 0..draft.nodes.len() {
+        if !reached[node] && !read[node] {
+            let name = shortened(draft.name(node));
+            let place = reader.document.place_of_key(draft.nodes[node].member);
+            let message = format!("no root reaches node `{name}`, so it is never evaluated");
+            let help = "connect one of its outputs, or remove it";
+            reader.findings.push(Finding::new(Code::UNREACHABLE_NODE, place, message, help));
+        }
+    }
+}

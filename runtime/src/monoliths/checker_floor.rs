@@ -1,0 +1,55 @@
+use glam::{Vec4, Vec4Swizzles};
+use phenomenon_compiler::effects::Effect;
+use phenomenon_compiler::engine::Shaded;
+use phenomenon_compiler::graph::RootKind;
+use phenomenon_compiler::state::State;
+
+use super::asking::Asking;
+use super::pointwise::{Parameter, PointShader};
+
+/// `graphs/floor/checker_floor.json` by hand.
+#[derive(Clone, Debug)]
+pub struct CheckerFloor {
+    /// Colour of the odd tiles.
+    pub dark: Vec4,
+    /// Colour of the even tiles.
+    pub light: Vec4,
+    /// Edge of a tile in scene units.
+    pub size: f32,
+    /// Light from the sky.
+    pub ambient: Vec4,
+}
+
+impl Default for CheckerFloor {
+    fn default() -> Self {
+        Self {
+            dark: Vec4::new(0.22, 0.2, 0.18, 1.0),
+            light: Vec4::new(0.62, 0.6, 0.56, 1.0),
+            size: 1.0,
+            ambient: Vec4::new(0.3, 0.34, 0.4, 1.0),
+        }
+    }
+}
+
+impl PointShader for CheckerFloor {
+    const ROOTS: &'static [(RootKind, &'static [Effect])] =
+        &[(RootKind::Material, &[Effect::LightColor])];
+
+    fn parameter(&mut self, name: &str) -> Option<Parameter<'_>> {
+        Some(match name {
+            "dark" => Parameter::Color(&mut self.dark),
+            "light" => Parameter::Color(&mut self.light),
+            "size" => Parameter::Scalar(&mut self.size),
+            "ambient" => Parameter::Color(&mut self.ambient),
+            _ => return None,
+        })
+    }
+
+    fn shade_point(&self, _: RootKind, point: &State, asking: &mut Asking<'_>) -> Shaded {
+        let [x, _, z] = point.point;
+        let steps = (x / self.size).floor() + (z / self.size).floor();
+        let tile = if steps.rem_euclid(2.0) == 0.0 { self.light } else { self.dark };
+        let light = self.ambient.xyz() + asking.diffuse(point);
+        Shaded { color: (tile.xyz() * light).extend(tile.w).into(), ok: true }
+    }
+}

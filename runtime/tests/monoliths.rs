@@ -1,0 +1,248 @@
+//! Every shipped graph and its monolith: the same colours to within rounding, the same requests.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use phenomenon_compiler::check::check_graph;
+use phenomenon_compiler::document;
+use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
+use phenomenon_compiler::graph::{Graph, RootKind};
+use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+use phenomenon_compiler::state::{RayType, State};
+use phenomenon_runtime::monoliths::{NAMES, find};
+
+/// A renderer whose answers change smoothly with what is asked, and which counts requests.
+#[derive(Default)]
+struct Mock {
+    requests: BTreeMap<Effect, usize>,
+}
+
+const LIGHTS: [[f32; 3]; 3] = [[0.6, 0.8, 0.0], [0.0, 0.6, -0.8], [-0.48, -0.6, 0.64]];
+
+impl Renderer for Mock {
+    fn trace(&mut self, effect: Effect, rays: &[Ray], answers: &mut [Answer]) {
+        *self.requests.entry(effect).or_default() += rays.len();
+        for (ray, answer) in rays.iter().zip(answers) {
+            let [x, y, z] = ray.direction.map(|component| 0.5 + 0.5 * component);
+            let probe = effect == Effect::TraceProbe;
+            *answer = Answer {
+                color: if probe { [0.0; 4] } else { [x, y, z, 0.25 + 0.5 * x] },
+                // Some points see nothing, so that the environment is asked instead.
+                ok: effect == Effect::TraceEnvironment || ray.state.path % 3 != 0,
+                hit: effect != Effect::TraceEnvironment,
+                distance: if ray.state.path % 5 == 0 { 0.0 } else { 2.0 + 3.0 * x },
+            };
+        }
+    }
+
+    fn light_list(&mut self, names: &[String]) -> LightList {
+        assert!(names.is_empty());
+        LightList(0)
+    }
+
+    fn light_count(&mut self, _: LightList) -> usize {
+        LIGHTS.len()
+    }
+
+    fn light_samples(
+        &mut self,
+        _: LightList,
+        iteration: usize,
+        points: &[State],
+        samples: &mut [LightSample],
+    ) {
+        for (point, sample) in points.iter().zip(samples) {
+            let reachable = (point.path + iteration as u64) % 4 != 0;
+            *sample = LightSample { direction: LIGHTS[iteration], distance: 0.0, reachable };
+        }
+    }
+
+    fn light_colors(
+        &mut self,
+        _: LightList,
+        iteration: usize,
+        points: &[State],
+        colors: &mut [[f32; 3]],
+    ) {
+        *self.requests.entry(Effect::LightColor).or_default() += points.len();
+        colors.fill([1.0 + iteration as f32, 0.5, 0.25]);
+    }
+}
+
+/// Numbers in -1..1, the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f32 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (self.0 >> 40) as f32 / (1 << 23) as f32 - 1.0
+    }
+
+    fn direction(&mut self) -> [f32; 3] {
+        loop {
+            let vector = glam::Vec3::new(self.next(), self.next(), self.next());
+            if (0.1..1.0).contains(&vector.length()) {
+                return vector.normalize().into();
+            }
+        }
+    }
+}
+
+fn points(ray_type: RayType) -> Vec<State> {
+    let mut random = Random(7);
+    (0..600)
+        .map(|number| {
+            let direction = random.direction();
+            let mut normal = random.direction();
+            let mut dot = |normal: [f32; 3]| (0..3).map(|k| normal[k] * direction[k]).sum::<f32>();
+            if dot(normal) > 0.0 {
+                normal = normal.map(|x| -x);
+            }
+            if number % 10 == 0 {
+                normal = direction.map(|x| -x);
+            }
+            let point = [random.next() * 9.0, random.next(), random.next() * 9.0];
+            let dot_nd = dot(normal).max(-1.0);
+            State {
+                direction,
+                normal,
+                normal_geom: normal,
+                dot_nd,
+                point,
+                inv_normal: number % 3 == 1,
+                ior_in: if number % 7 == 0 { 1.2 } else { 0.0 },
+                path: number,
+                ray_type,
+                ..State::default()
+            }
+        })
+        .collect()
+}
+
+fn graph_files() -> Vec<PathBuf> {
+    let graphs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../graphs");
+    let mut files = Vec::new();
+    for folder in std::fs::read_dir(graphs).expect("graphs can be listed") {
+        let folder = folder.expect("its entries can be read").path();
+        if folder.is_dir() && !folder.ends_with("broken") {
+            let entries = std::fs::read_dir(folder).expect("a folder can be listed");
+            files.extend(entries.map(|entry| entry.expect("its entries can be read").path()));
+        }
+    }
+    files.sort();
+    files
+}
+
+fn read(path: &Path, library: &NodeLibrary) -> Graph {
+    let document = document::read_file(path).expect("the graph is JSON");
+    let checked = check_graph(&document, library);
+    assert!(checked.findings.is_empty(), "{}: {:#?}", path.display(), checked.findings);
+    checked.graph.expect("a graph without findings")
+}
+
+fn shipped(name: &str) -> (Arc<Graph>, Arc<NodeLibrary>) {
+    let library = NodeLibrary::standard();
+    let path = (graph_files().into_iter())
+        .find(|path| path.file_stem().is_some_and(|stem| stem == name))
+        .expect("the graph is shipped");
+    (Arc::new(read(&path, &library)), Arc::new(library))
+}
+
+/// Shades point by point in both, and compares.
+fn compare(name: &str, overrides: &[(String, Literal)]) -> BTreeMap<Effect, usize> {
+    let (graph, library) = shipped(name);
+    let options = Options { engine: Engine::Walk, ..Options::default() };
+    let shader = Shader::new(graph, library, overrides, options).expect("the graph compiles");
+    let monolith = find(name, overrides).expect("it has a monolith").expect("it takes them");
+    let mut total = BTreeMap::new();
+    for root in RootKind::ALL {
+        assert_eq!(shader.has_root(root), monolith.has_root(root), "{name} {root:?}");
+        if !shader.has_root(root) {
+            continue;
+        }
+        let ray_type = match root {
+            RootKind::Material => RayType::Eye,
+            RootKind::Shadow => RayType::Shadow,
+            RootKind::Environment => RayType::Environment,
+        };
+        let declared = monolith.effects(root);
+        for point in points(ray_type) {
+            let (mut composed, mut by_hand) = (Mock::default(), Mock::default());
+            let mut results = [Shaded::default(); 2];
+            shader.shade(root, &[point], &mut composed, &mut results[..1]);
+            monolith.shade(root, &[point], &mut by_hand, &mut results[1..]);
+            assert_eq!(composed.requests, by_hand.requests, "{name} {root:?} {point:?}");
+            assert!(by_hand.requests.keys().all(|effect| declared.contains(effect)), "{name}");
+            assert_eq!(results[0].ok, results[1].ok);
+            for (a, b) in results[0].color.iter().zip(results[1].color) {
+                let error = (a - b).abs();
+                assert!(error <= 2e-4 * (1.0 + a.abs()), "{name} {root:?} {results:?} {point:?}");
+            }
+            for (effect, count) in composed.requests {
+                *total.entry(effect).or_default() += count;
+            }
+        }
+    }
+    total
+}
+
+fn set(name: &str, value: f32) -> (String, Literal) {
+    (name.into(), Literal::Scalar(value))
+}
+
+#[test]
+fn every_shipped_graph_has_a_monolith_with_its_parameters() {
+    let library = NodeLibrary::standard();
+    let mut names = Vec::new();
+    for path in graph_files() {
+        let graph = read(&path, &library);
+        assert!(path.file_stem().is_some_and(|stem| *stem == *graph.name), "{}", path.display());
+        for parameter in &graph.parameters {
+            let value = [(parameter.name.clone(), parameter.default.clone())];
+            let found = find(&graph.name, &value).expect("it has a monolith");
+            assert!(found.is_ok(), "{}: {:?}", graph.name, found.err());
+        }
+        names.push(graph.name);
+    }
+    names.sort();
+    assert_eq!(names, NAMES);
+}
+
+#[test]
+fn defaults_agree() {
+    for name in NAMES {
+        compare(name, &[]);
+    }
+}
+
+#[test]
+fn the_glass_agrees_at_its_limits() {
+    compare("advanced_glass", &[set("ior", 1.0)]);
+    compare("advanced_glass", &[set("ior", 2.4), set("opacity", 0.5), set("depth", 3.0)]);
+    compare("advanced_glass", &[set("depth", 0.0)]);
+    let opaque = compare("advanced_glass", &[set("opacity", 1.0)]);
+    let clear = compare("advanced_glass", &[]);
+    assert!(opaque[&Effect::TraceRefraction] < clear[&Effect::TraceRefraction]);
+}
+
+#[test]
+fn a_reflection_without_weight_casts_no_ray() {
+    let none = compare("rainbow", &[set("reflectivity", 0.0), set("strength", 0.0)]);
+    assert!(!none.contains_key(&Effect::TraceReflection));
+    compare("rainbow", &[set("strength", 1.0), set("saturation", 0.3), set("ior", 4.0)]);
+    // Points with another medium in front still mirror at ior 1.
+    let some = compare("tinted_mirror", &[set("ior", 1.0)]);
+    let all = compare("tinted_mirror", &[]);
+    assert!(some[&Effect::TraceReflection] < all[&Effect::TraceReflection] / 2);
+}
+
+#[test]
+fn the_floor_and_the_sky_agree_elsewhere() {
+    compare("checker_floor", &[set("size", 0.37)]);
+    let sun = ("sun_direction".into(), Literal::Vector([0.0, -3.0, 0.0]));
+    compare("gradient_sky", &[sun, set("sun_edge", 0.5)]);
+    let nowhere = ("sun_direction".into(), Literal::Vector([0.0; 3]));
+    compare("gradient_sky", &[nowhere, set("sun_edge", 1.0)]);
+}

@@ -1,0 +1,172 @@
+//! Graphs written by hand, node by node.
+
+use std::sync::Arc;
+
+use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
+use phenomenon_compiler::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
+use phenomenon_compiler::nodes::{Literal, NodeLibrary, Type};
+use phenomenon_compiler::state::State;
+
+use crate::mock::MockRenderer;
+
+/// A graph in the making.
+#[derive(Clone, Debug)]
+pub struct Build {
+    library: Arc<NodeLibrary>,
+    graph: Graph,
+}
+
+/// A number.
+pub fn scalar(value: f32) -> Binding {
+    Binding::Literal(Literal::Scalar(value))
+}
+
+/// A color.
+pub fn color(value: [f32; 4]) -> Binding {
+    Binding::Literal(Literal::Color(value))
+}
+
+/// A vector.
+pub fn vector(value: [f32; 3]) -> Binding {
+    Binding::Literal(Literal::Vector(value))
+}
+
+impl Build {
+    /// Nothing yet, of the standard nodes.
+    pub fn new() -> Self {
+        let graph = Graph {
+            name: "built".to_owned(),
+            doc: String::new(),
+            version: 0,
+            parameters: Vec::new(),
+            nodes: Vec::new(),
+            roots: Vec::new(),
+        };
+        Self { library: Arc::new(NodeLibrary::standard()), graph }
+    }
+
+    /// Adds a parameter of the interface.
+    pub fn parameter(&mut self, name: &str, default: Literal) -> Binding {
+        self.graph.parameters.push(Parameter::new(name, default));
+        Binding::Parameter(self.graph.parameters.len() - 1)
+    }
+
+    /// Adds a node; inputs not given keep their defaults. A generic node takes colours.
+    pub fn node(&mut self, node_type: &str, inputs: &[(&str, Binding)]) -> Made {
+        self.node_of(node_type, Type::Color, inputs)
+    }
+
+    /// Adds a node, a generic one in the form for `generic`.
+    ///
+    /// # Panics
+    /// If there is no such node type, input or form.
+    pub fn node_of(&mut self, node_type: &str, generic: Type, inputs: &[(&str, Binding)]) -> Made {
+        let found = self.library.find(node_type).expect("a node type");
+        let definition = self.library.definition(found);
+        let overload = definition
+            .overloads
+            .iter()
+            .position(|overload| overload.generic.is_none_or(|of| of == generic))
+            .expect("a form of the node");
+        let mut bindings = vec![Binding::Default; definition.signature.inputs.len()];
+        for (name, binding) in inputs {
+            bindings[definition.signature.input(name).expect("an input")] = binding.clone();
+        }
+        let outputs = definition.signature.outputs.iter().map(|output| output.name).collect();
+        let at = self.graph.nodes.len();
+        let name = format!("{node_type}_{at}");
+        self.graph.nodes.push(Node { name, node_type: found, overload, inputs: bindings });
+        Made { at, outputs }
+    }
+
+    /// The graph with a material root.
+    pub fn material(self, color: Binding) -> Built {
+        self.material_where(color, Binding::Default)
+    }
+
+    /// The graph with a material root that may fail.
+    pub fn material_where(mut self, color: Binding, ok: Binding) -> Built {
+        self.graph.roots.push(Root { kind: RootKind::Material, color, ok });
+        Built { graph: Arc::new(self.graph), library: self.library }
+    }
+}
+
+impl Default for Build {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// A node that was added.
+#[derive(Clone, Debug)]
+pub struct Made {
+    at: usize,
+    outputs: Vec<&'static str>,
+}
+
+impl Made {
+    /// Its first output.
+    pub fn first(&self) -> Binding {
+        Binding::Node { node: self.at, output: 0 }
+    }
+
+    /// An output by name.
+    ///
+    /// # Panics
+    /// If there is none.
+    pub fn output(&self, name: &str) -> Binding {
+        let output = self.outputs.iter().position(|output| *output == name);
+        Binding::Node { node: self.at, output: output.expect("an output") }
+    }
+}
+
+/// A graph with its library.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// The graph.
+    pub graph: Arc<Graph>,
+    /// Its nodes.
+    pub library: Arc<NodeLibrary>,
+}
+
+/// Every engine, with both forms of the bodies and several batch sizes.
+pub fn every_engine() -> Vec<Options> {
+    let mut all = Vec::new();
+    for simd in [Simd::Native, Simd::Portable] {
+        all.push(Options { engine: Engine::Walk, simd, batch: 256 });
+        all.push(Options { engine: Engine::Auto, simd, batch: 256 });
+        for batch in [1, 7, 256] {
+            all.push(Options { engine: Engine::Batch, simd, batch });
+            all.push(Options { engine: Engine::Jit, simd, batch });
+        }
+    }
+    all
+}
+
+impl Built {
+    /// Compiles it.
+    ///
+    /// # Panics
+    /// If that fails.
+    pub fn shader(&self, values: &[(String, Literal)], options: Options) -> Shader {
+        let (graph, library) = (Arc::clone(&self.graph), Arc::clone(&self.library));
+        Shader::new(graph, library, values, options).expect("the graph compiles")
+    }
+
+    /// Shades `points` in every engine with a clone of `renderer` and shows what came of it.
+    pub fn in_every_engine(
+        &self,
+        values: &[(String, Literal)],
+        points: &[State],
+        renderer: &MockRenderer,
+        mut look: impl FnMut(&str, &MockRenderer, &[Shaded]),
+    ) {
+        for options in every_engine() {
+            let shader = self.shader(values, options);
+            let mut renderer = renderer.clone();
+            let mut results = vec![Shaded::default(); points.len()];
+            shader.shade(RootKind::Material, points, &mut renderer, &mut results);
+            look(&format!("{options:?}"), &renderer, &results);
+        }
+    }
+}

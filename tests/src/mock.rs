@@ -1,0 +1,145 @@
+//! A renderer without a scene: each answer is a hash of what the request may depend on, and each
+//! request is logged.
+
+use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use phenomenon_compiler::nodes::Type;
+use phenomenon_compiler::state::{Field, State};
+
+use crate::random::{Random, canonical, mixed};
+
+/// A request: effect, number of the point that asked, then the words of all it may depend on.
+pub type Record = Vec<u32>;
+
+/// See the module.
+#[derive(Clone, Debug, Default)]
+pub struct MockRenderer {
+    /// Requests so far; light samples, which cost nothing, aside.
+    pub log: Vec<Record>,
+    /// If given, the lights of every list, the same for all points.
+    pub lights: Option<Vec<LightSample>>,
+}
+
+impl MockRenderer {
+    /// With these lights in every list.
+    pub fn with_lights(lights: Vec<LightSample>) -> Self {
+        Self { log: Vec::new(), lights: Some(lights) }
+    }
+
+    /// The log in an order that does not depend on who asked first.
+    pub fn sorted_log(mut self) -> Vec<Record> {
+        self.log.sort_unstable();
+        self.log
+    }
+
+    /// How often an effect was asked for.
+    pub fn count(&self, effect: Effect) -> usize {
+        self.log.iter().filter(|record| record[0] == effect as u32).count()
+    }
+}
+
+/// The words of a field, NaNs made one where they are numbers.
+fn field_words(field: Field, state: &State) -> impl Iterator<Item = u32> {
+    let value_type = field.value_type();
+    let words = field.read(state).into_iter().take(value_type.width());
+    let is_number = matches!(value_type, Type::Scalar | Type::Vector | Type::Color);
+    words.map(move |word| if is_number { canonical(word) } else { word })
+}
+
+fn hash(words: impl IntoIterator<Item = u32>) -> u64 {
+    words.into_iter().fold(0x1234_5678, |hash, word| mixed(hash ^ u64::from(word)) + 1)
+}
+
+fn numbers(values: impl IntoIterator<Item = f32>) -> impl Iterator<Item = u32> {
+    values.into_iter().map(|x| canonical(x.to_bits()))
+}
+
+/// The words a light sample depends on.
+fn light_words(list: LightList, iteration: usize, state: &State) -> Vec<u32> {
+    let mut words = vec![list.0, iteration as u32];
+    words.extend(field_words(Field::Point, state));
+    words.extend(field_words(Field::NormalGeom, state));
+    words
+}
+
+/// The record of a traced ray.
+fn record(effect: Effect, ray: &Ray) -> Record {
+    let mut record = vec![effect as u32, ray.state.hit.instance];
+    record.extend([(ray.site >> 32) as u32, ray.site as u32]);
+    record.extend(numbers(ray.origin));
+    record.extend(numbers(ray.direction));
+    for &field in effect.reads() {
+        record.extend(field_words(field, &ray.state));
+    }
+    record
+}
+
+impl Renderer for MockRenderer {
+    fn trace(&mut self, effect: Effect, rays: &[Ray], answers: &mut [Answer]) {
+        assert_eq!(rays.len(), answers.len());
+        assert!(!rays.is_empty(), "a request without rays");
+        for (ray, answer) in rays.iter().zip(answers) {
+            let record = record(effect, ray);
+            let mut random = Random::new(hash(
+                record.iter().enumerate().filter(|(at, _)| *at != 1).map(|(_, word)| *word),
+            ));
+            self.log.push(record);
+            *answer = Answer {
+                color: [0; 4].map(|_| random.number()),
+                ok: random.chance(70),
+                hit: random.chance(70),
+                distance: random.number(),
+            };
+        }
+    }
+
+    fn light_list(&mut self, names: &[String]) -> LightList {
+        LightList(hash(names.join(" ").bytes().map(u32::from)) as u32)
+    }
+
+    fn light_count(&mut self, list: LightList) -> usize {
+        match &self.lights {
+            Some(lights) => lights.len(),
+            None => Random::new(u64::from(list.0)).pick(&[0, 1, 2, 2, 3, 4]),
+        }
+    }
+
+    fn light_samples(
+        &mut self,
+        list: LightList,
+        iteration: usize,
+        points: &[State],
+        samples: &mut [LightSample],
+    ) {
+        assert_eq!(points.len(), samples.len());
+        if let Some(lights) = &self.lights {
+            return samples.fill(lights[iteration]);
+        }
+        for (state, sample) in points.iter().zip(samples) {
+            let mut random = Random::new(hash(light_words(list, iteration, state)));
+            *sample = LightSample {
+                direction: random.vector(),
+                distance: random.number(),
+                reachable: random.chance(70),
+            };
+        }
+    }
+
+    fn light_colors(
+        &mut self,
+        list: LightList,
+        iteration: usize,
+        points: &[State],
+        colors: &mut [[f32; 3]],
+    ) {
+        assert_eq!(points.len(), colors.len());
+        assert!(!points.is_empty(), "a request without points");
+        for (state, color) in points.iter().zip(colors) {
+            let words = light_words(list, iteration, state);
+            let mut random = Random::new(hash(words.iter().copied()) ^ 1);
+            *color = [0; 3].map(|_| random.number());
+            let mut record = vec![Effect::LightColor as u32, state.hit.instance];
+            record.extend(words);
+            self.log.push(record);
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! Graphs in a few lines, for failure messages.
+
+use std::fmt::Write;
+
+use phenomenon_compiler::graph::{Binding, Graph};
+use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+
+/// The graph, a line for each node; inputs left at their defaults are left out.
+pub fn graph_text(graph: &Graph, library: &NodeLibrary) -> String {
+    let mut text = String::new();
+    for parameter in &graph.parameters {
+        let _ = writeln!(text, "  parameter {} = {}", parameter.name, literal(&parameter.default));
+    }
+    for node in &graph.nodes {
+        let definition = library.definition(node.node_type);
+        let generic = definition.overloads[node.overload].generic;
+        let suffix = generic.map_or(String::new(), |of| format!("<{}>", of.name()));
+        let inputs: Vec<String> = definition
+            .signature
+            .inputs
+            .iter()
+            .zip(&node.inputs)
+            .filter(|(_, binding)| **binding != Binding::Default)
+            .map(|(input, given)| format!("{}: {}", input.name, binding(graph, library, given)))
+            .collect();
+        let name = definition.signature.name;
+        let _ = writeln!(text, "  {} = {name}{suffix} {{ {} }}", node.name, inputs.join(", "));
+    }
+    for root in &graph.roots {
+        let color = binding(graph, library, &root.color);
+        let ok = binding(graph, library, &root.ok);
+        let _ = writeln!(text, "  root {} = {color}, ok {ok}", root.kind.name());
+    }
+    text
+}
+
+fn binding(graph: &Graph, library: &NodeLibrary, binding: &Binding) -> String {
+    match binding {
+        Binding::Default => "default".to_owned(),
+        Binding::Literal(value) => literal(value),
+        Binding::Parameter(at) => graph.parameters[*at].name.clone(),
+        Binding::Node { node, output } => {
+            let node = &graph.nodes[*node];
+            let outputs = &library.signature(node.node_type).outputs;
+            format!("{}.{}", node.name, outputs[*output].name)
+        }
+    }
+}
+
+fn literal(literal: &Literal) -> String {
+    match literal {
+        Literal::Boolean(value) => format!("{value}"),
+        Literal::Integer(value) => format!("{value}"),
+        Literal::Scalar(value) => format!("{value:?}"),
+        Literal::Color(value) => format!("{value:?}"),
+        Literal::Vector(value) => format!("{value:?}"),
+        Literal::Lights(names) => format!("lights {names:?}"),
+    }
+}

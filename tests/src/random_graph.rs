@@ -1,0 +1,308 @@
+//! Random graphs that the checker would accept, drawn from whatever the library holds.
+//!
+//! Nodes are made sources first and shuffled at the end. Sharing is heavy, guards hang on traces, and
+//! what reads the light of a loop is demanded below loops only.
+
+use phenomenon_compiler::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
+use phenomenon_compiler::nodes::{
+    Default, FINITE, Kind, Literal, NodeLibrary, NodeType, Signature, Type,
+};
+
+use crate::random::Random;
+use crate::reads::{self, Fields};
+
+/// Most loops inside loops: each multiplies the work.
+const MOST_NESTED_LOOPS: usize = 3;
+
+/// A random graph of about `size` nodes, and values for some of its parameters.
+pub fn random_graph(
+    random: &mut Random,
+    library: &NodeLibrary,
+    size: usize,
+) -> (Graph, Vec<(String, Literal)>) {
+    let mut growing = Growing::new(random, library);
+    for _ in 0..size {
+        growing.add();
+    }
+    growing.finish()
+}
+
+/// A value of some parameter or other: of the right type, as hard as literals are.
+pub fn random_value(random: &mut Random, graph: &Graph) -> Option<(String, Literal)> {
+    if graph.parameters.is_empty() {
+        return None;
+    }
+    let parameter = &graph.parameters[random.below(graph.parameters.len())];
+    Some((parameter.name.clone(), random.literal(parameter.value_type)))
+}
+
+struct Growing<'a> {
+    random: &'a mut Random,
+    library: &'a NodeLibrary,
+    /// Node types in classes that are drawn equally often.
+    classes: Vec<Vec<NodeType>>,
+    parameters: Vec<Parameter>,
+    nodes: Vec<Node>,
+    facts: Vec<Facts>,
+}
+
+/// What is known of a node.
+struct Facts {
+    outputs: Vec<Type>,
+    reads: Fields,
+    /// Nodes at and below it, as if nothing were shared.
+    below: u64,
+    nested_loops: usize,
+    /// Whether it or something below asks the renderer.
+    asks: bool,
+    used: bool,
+}
+
+/// Classes of node types; each type may be in several.
+fn classes(library: &NodeLibrary) -> Vec<Vec<NodeType>> {
+    let of = |wanted: &dyn Fn(&Signature) -> bool| -> Vec<NodeType> {
+        let types = library.iter().filter(|(_, definition)| wanted(&definition.signature));
+        types.map(|(node_type, _)| node_type).collect()
+    };
+    let guarded = of(&|signature| signature.inputs.iter().any(|input| input.guarded));
+    let mut classes = vec![
+        of(&|signature| matches!(signature.kind, Kind::Request(_))),
+        guarded.clone(),
+        guarded,
+        of(&|signature| matches!(signature.kind, Kind::Scope(_))),
+        of(&|signature| signature.kind == Kind::LightLoop),
+        of(&|signature| matches!(signature.kind, Kind::Fields(_))),
+        of(&|signature| reads_light(library, signature)),
+        of(&|signature| signature.outputs[0].value_type == Type::Boolean),
+        of(&|signature| signature.kind == Kind::Plain),
+        of(&|signature| signature.kind == Kind::Plain),
+    ];
+    classes.retain(|class| !class.is_empty());
+    classes
+}
+
+fn reads_light(library: &NodeLibrary, signature: &Signature) -> bool {
+    let node = reads::implied(library, signature.name);
+    match &signature.kind {
+        Kind::Fields(fields) => fields.iter().any(|field| field.is_of_light()),
+        _ => is_of_light(&reads::of_node(library, &node, &|_, _| Fields::new())),
+    }
+}
+
+/// Whether something that reads these fields belongs below a loop.
+pub fn is_of_light(fields: &Fields) -> bool {
+    fields.iter().any(|field| field.is_of_light())
+}
+
+impl<'a> Growing<'a> {
+    fn new(random: &'a mut Random, library: &'a NodeLibrary) -> Self {
+        let types =
+            [Type::Scalar, Type::Color, Type::Boolean, Type::Integer, Type::Vector, Type::Lights];
+        let parameters = (0..random.below(6))
+            .map(|at| {
+                let value_type = random.pick(&types);
+                Parameter {
+                    name: format!("p{at}"),
+                    doc: String::new(),
+                    value_type,
+                    default: random.literal(value_type),
+                    range: FINITE,
+                    soft_range: FINITE,
+                    unit: String::new(),
+                    labels: Vec::new(),
+                }
+            })
+            .collect();
+        let classes = classes(library);
+        Self { random, library, classes, parameters, nodes: Vec::new(), facts: Vec::new() }
+    }
+
+    fn add(&mut self) {
+        let class = self.random.below(self.classes.len());
+        let node_type = self.random.pick(&self.classes[class]);
+        let definition = self.library.definition(node_type);
+        let overload = self.random.below(definition.overloads.len());
+        let generic = definition.overloads[overload].generic;
+        let settled = |of: Type| if of == Type::Generic { generic.unwrap_or(of) } else { of };
+        let signature = &definition.signature;
+        let is_loop = signature.kind == Kind::LightLoop;
+        let inputs: Vec<Binding> = signature
+            .inputs
+            .iter()
+            .map(|input| {
+                let required = matches!(input.default, Default::Required);
+                let to = settled(input.value_type);
+                self.binding(to, required, input.scoped, is_loop && input.scoped)
+            })
+            .collect();
+        let outputs = signature.outputs.iter().map(|output| settled(output.value_type)).collect();
+        let node = Node { name: format!("n{}", self.nodes.len()), node_type, overload, inputs };
+        let facts = self.facts(&node, outputs, is_loop);
+        self.nodes.push(node);
+        self.facts.push(facts);
+    }
+
+    fn facts(&mut self, node: &Node, outputs: Vec<Type>, is_loop: bool) -> Facts {
+        let mut below = 1_u64;
+        let mut nested_loops = 0;
+        let kind = &self.library.signature(node.node_type).kind;
+        let mut asks = matches!(kind, Kind::Request(_));
+        for binding in &node.inputs {
+            if let Binding::Node { node, .. } = binding {
+                self.facts[*node].used = true;
+                below = below.saturating_add(self.facts[*node].below);
+                asks |= self.facts[*node].asks;
+                nested_loops = nested_loops.max(self.facts[*node].nested_loops);
+            }
+        }
+        let of_output = |source: usize, output: usize| {
+            let (node, facts) = (&self.nodes[source], &self.facts[source]);
+            reads::of_output(self.library, node, output, &facts.reads)
+        };
+        let reads = reads::of_node(self.library, node, &of_output);
+        nested_loops += usize::from(is_loop);
+        Facts { outputs, reads, below, nested_loops, asks, used: false }
+    }
+
+    fn binding(&mut self, to: Type, required: bool, scoped: bool, of_loop: bool) -> Binding {
+        if to != Type::Lights && (scoped || self.random.chance(75)) {
+            let mut sources = self.sources(to);
+            if of_loop {
+                sources.retain(|(node, _)| self.facts[*node].nested_loops < MOST_NESTED_LOOPS);
+                let of_light: Vec<_> =
+                    sources.iter().copied().filter(|(node, _)| self.is_of_light(*node)).collect();
+                if !of_light.is_empty() && self.random.chance(80) {
+                    sources = of_light;
+                }
+            }
+            if let Some((node, output)) = self.preferred(&sources) {
+                return Binding::Node { node, output };
+            }
+        }
+        let parameters: Vec<usize> = (0..self.parameters.len())
+            .filter(|&at| self.parameters[at].value_type.converts_to(to))
+            .collect();
+        match self.random.below(3) {
+            0 if !parameters.is_empty() => Binding::Parameter(self.random.pick(&parameters)),
+            1 if !required => Binding::Default,
+            _ => Binding::Literal(self.random.literal(to)),
+        }
+    }
+
+    fn is_of_light(&self, node: usize) -> bool {
+        is_of_light(&self.facts[node].reads)
+    }
+
+    /// Outputs that fit, with the nodes they are of.
+    fn sources(&self, to: Type) -> Vec<(usize, usize)> {
+        let all = self.facts.iter().enumerate().flat_map(|(node, facts)| {
+            let outputs = facts.outputs.iter().enumerate();
+            outputs.map(move |(output, from)| (node, output, *from))
+        });
+        all.filter(|(_, _, from)| from.converts_to(to)).map(|(n, output, _)| (n, output)).collect()
+    }
+
+    /// One of `sources`: one that asks the renderer, one nobody uses yet, one of the last, or any.
+    fn preferred(&mut self, sources: &[(usize, usize)]) -> Option<(usize, usize)> {
+        if sources.is_empty() {
+            return None;
+        }
+        let asking: Vec<_> =
+            sources.iter().copied().filter(|(node, _)| self.facts[*node].asks).collect();
+        let all = sources;
+        let sources = if !asking.is_empty() && self.random.chance(60) { &asking } else { all };
+        let unused: Vec<_> =
+            sources.iter().copied().filter(|(node, _)| !self.facts[*node].used).collect();
+        Some(match self.random.below(10) {
+            0..=3 if !unused.is_empty() => self.random.pick(&unused),
+            4..=6 => self.random.pick(&sources[sources.len().saturating_sub(6)..]),
+            _ => self.random.pick(sources),
+        })
+    }
+
+    /// Whether an output belongs below a loop.
+    fn output_is_of_light(&self, node: usize, output: usize) -> bool {
+        let whole = &self.facts[node].reads;
+        is_of_light(&reads::of_output(self.library, &self.nodes[node], output, whole))
+    }
+
+    /// What a root may take, large trees preferred; a colour that belongs below a loop gets one.
+    fn root_source(&mut self, to: Type) -> Option<Binding> {
+        let mut sources = self.sources(to);
+        if to != Type::Color {
+            sources.retain(|&(node, output)| !self.output_is_of_light(node, output));
+        }
+        let tries: Vec<_> = (0..6).filter_map(|_| self.preferred(&sources)).collect();
+        let best = tries
+            .into_iter()
+            .max_by_key(|(node, _)| (self.facts[*node].asks, self.facts[*node].below));
+        let (node, output) = best?;
+        let binding = Binding::Node { node, output };
+        Some(if self.output_is_of_light(node, output) { self.looped(binding) } else { binding })
+    }
+
+    /// A loop over all lights round a colour.
+    fn looped(&mut self, body: Binding) -> Binding {
+        let mut types = self.library.iter();
+        let found = types.find(|(_, definition)| definition.signature.kind == Kind::LightLoop);
+        let (node_type, definition) = found.expect("what reads light comes with a loop");
+        let inputs = definition.signature.inputs.iter();
+        let inputs = inputs.map(|input| if input.scoped { body.clone() } else { Binding::Default });
+        let inputs = inputs.collect();
+        let name = format!("n{}", self.nodes.len());
+        let node = Node { name, node_type, overload: 0, inputs };
+        let facts = self.facts(&node, vec![Type::Color], true);
+        self.nodes.push(node);
+        self.facts.push(facts);
+        Binding::Node { node: self.nodes.len() - 1, output: 0 }
+    }
+
+    fn root(&mut self, kind: RootKind) -> Root {
+        let color = self
+            .root_source(Type::Color)
+            .unwrap_or_else(|| Binding::Literal(self.random.literal(Type::Color)));
+        let ok = match self.random.below(10) {
+            0 => Binding::Literal(Literal::Boolean(self.random.chance(50))),
+            1..=4 => self.root_source(Type::Boolean).unwrap_or(Binding::Default),
+            _ => Binding::Default,
+        };
+        Root { kind, color, ok }
+    }
+
+    fn finish(mut self) -> (Graph, Vec<(String, Literal)>) {
+        let mut roots = vec![self.root(RootKind::Material)];
+        if self.random.chance(20) {
+            roots.push(self.root(RootKind::Shadow));
+        }
+        // Position in the file says nothing about who feeds whom.
+        let mut place: Vec<usize> = (0..self.nodes.len()).collect();
+        for at in (1..place.len()).rev() {
+            place.swap(at, self.random.below(at + 1));
+        }
+        let moved = |binding: &mut Binding| {
+            if let Binding::Node { node, .. } = binding {
+                *node = place[*node];
+            }
+        };
+        let mut nodes: Vec<Option<Node>> = vec![None; place.len()];
+        for (from, mut node) in self.nodes.into_iter().enumerate() {
+            node.inputs.iter_mut().for_each(moved);
+            nodes[place[from]] = Some(node);
+        }
+        for root in &mut roots {
+            moved(&mut root.color);
+            moved(&mut root.ok);
+        }
+        let nodes = nodes.into_iter().flatten().collect();
+        let graph = Graph {
+            name: "random".to_owned(),
+            doc: String::new(),
+            version: 0,
+            parameters: self.parameters,
+            nodes,
+            roots,
+        };
+        let values = (0..3).filter_map(|_| random_value(self.random, &graph)).collect();
+        (graph, values)
+    }
+}

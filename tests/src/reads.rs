@@ -1,0 +1,77 @@
+//! Which state fields a node reads, itself or through its inputs: the static rule by which a scope
+//! evaluates a node anew, written down a second time.
+
+use std::collections::BTreeSet;
+
+use phenomenon_compiler::graph::{Binding, Node};
+use phenomenon_compiler::nodes::{Default, Kind, NodeLibrary};
+use phenomenon_compiler::state::Field;
+
+/// Fields.
+pub type Fields = BTreeSet<Field>;
+
+/// The fields of a light sample.
+pub fn light_fields() -> Fields {
+    Field::ALL.iter().copied().filter(|field| field.is_of_light()).collect()
+}
+
+/// The fields that differ inside what a node of this kind opens.
+pub fn changed(kind: &Kind) -> Fields {
+    match kind {
+        Kind::Scope(fields) => fields.iter().copied().collect(),
+        Kind::LightLoop => light_fields(),
+        Kind::Plain | Kind::Fields(_) | Kind::Request(_) => Fields::new(),
+    }
+}
+
+/// The node an input implies by its default.
+pub fn implied(library: &NodeLibrary, name: &str) -> Node {
+    let node_type = library.find(name).expect("implied nodes are in the library");
+    let inputs = vec![Binding::Default; library.signature(node_type).inputs.len()];
+    Node { name: format!("({name})"), node_type, overload: 0, inputs }
+}
+
+/// What `node` reads, given what an output of another node reads.
+pub fn of_node(
+    library: &NodeLibrary,
+    node: &Node,
+    of_output: &dyn Fn(usize, usize) -> Fields,
+) -> Fields {
+    let signature = library.signature(node.node_type);
+    let mut fields: Fields = match &signature.kind {
+        Kind::Request(effect) => effect.reads().iter().copied().collect(),
+        Kind::LightLoop => [Field::Point, Field::NormalGeom].into(),
+        Kind::Plain | Kind::Fields(_) | Kind::Scope(_) => Fields::new(),
+    };
+    let changed = changed(&signature.kind);
+    for (input, binding) in signature.inputs.iter().zip(&node.inputs) {
+        let below = match (binding, &input.default) {
+            (Binding::Node { node, output }, _) => of_output(*node, *output),
+            (Binding::Default, Default::State(field)) => [*field].into(),
+            (Binding::Default, Default::Node(name)) => of_implied(library, name, of_output),
+            _ => Fields::new(),
+        };
+        fields.extend(below.into_iter().filter(|field| !input.scoped || !changed.contains(field)));
+    }
+    fields
+}
+
+fn of_implied(
+    library: &NodeLibrary,
+    name: &str,
+    of_output: &dyn Fn(usize, usize) -> Fields,
+) -> Fields {
+    let node = implied(library, name);
+    match &library.signature(node.node_type).kind {
+        Kind::Fields(fields) => [fields[0]].into(),
+        _ => of_node(library, &node, of_output),
+    }
+}
+
+/// What an output of a node reads, given what the node as a whole reads.
+pub fn of_output(library: &NodeLibrary, node: &Node, output: usize, whole: &Fields) -> Fields {
+    match &library.signature(node.node_type).kind {
+        Kind::Fields(fields) => [fields[output]].into(),
+        _ => whole.clone(),
+    }
+}

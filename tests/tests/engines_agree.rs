@@ -1,0 +1,73 @@
+//! All engines give the same results and ask the same of the renderer, on random graphs.
+//!
+//! `PHENOMENON_CASES` sets how many graphs, `PHENOMENON_SEED` the first seed.
+
+use std::sync::Arc;
+
+use phenomenon_compiler::engine::{Engine, Options};
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_tests::differential::{Agreement, Case};
+use phenomenon_tests::print::graph_text;
+use phenomenon_tests::random::Random;
+use phenomenon_tests::random_graph::random_graph;
+use phenomenon_tests::shrink::shrink;
+
+fn from_environment(name: &str, otherwise: u64) -> u64 {
+    std::env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(otherwise)
+}
+
+fn case(seed: u64, library: &Arc<NodeLibrary>) -> Case {
+    let mut random = Random::new(seed);
+    let size = 1 + random.below(if random.clone().chance(30) { 12 } else { 60 });
+    let (graph, values) = random_graph(&mut random, library, size);
+    Case::random(&mut random, library, graph, values)
+}
+
+fn check(seed: u64, case: &Case) -> Agreement {
+    match case.check() {
+        Ok(agreement) => agreement,
+        Err(error) => {
+            let (small, error) = shrink(case, error);
+            let text = graph_text(&small.graph, &small.library);
+            let Case { values, points, .. } = small;
+            panic!(
+                "seed {seed}: {error}\n{text}values {values:?}\n{} points: {:?}",
+                points.len(),
+                points[0]
+            );
+        }
+    }
+}
+
+#[test]
+fn on_random_graphs() {
+    let library = Arc::new(NodeLibrary::standard());
+    let first = from_environment("PHENOMENON_SEED", 0);
+    let cases = from_environment("PHENOMENON_CASES", 1_000);
+    let mut ran = 0;
+    let mut naive = 0;
+    let mut with_requests = 0;
+    let mut requests = 0;
+    for seed in first..first + cases {
+        let agreement = check(seed, &case(seed, &library));
+        ran += u64::from(agreement.ran);
+        naive += u64::from(agreement.naive);
+        with_requests += u64::from(agreement.requests > 0);
+        requests += agreement.requests;
+    }
+    println!(
+        "{cases} graphs, {ran} run, {naive} naively, {with_requests} with {requests} requests"
+    );
+    // A test that runs nothing would pass too.
+    assert!(ran * 10 >= cases * 9 && naive * 2 >= cases && with_requests * 2 >= cases);
+}
+
+#[test]
+fn whatever_engine_is_taken_by_itself() {
+    let library = Arc::new(NodeLibrary::standard());
+    for seed in 1 << 32..(1 << 32) + 40 {
+        let mut case = case(seed, &library);
+        case.options = vec![Options { engine: Engine::Auto, ..case.options[1] }; 3];
+        check(seed, &case);
+    }
+}

@@ -1,0 +1,146 @@
+//! Huge graphs end in a result or an error, on the small stack of a test thread.
+
+use std::time::Instant;
+
+use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
+use phenomenon_compiler::graph::{Binding, RootKind};
+use phenomenon_compiler::nodes::Type;
+use phenomenon_compiler::specialise::SpecialiseError;
+use phenomenon_compiler::state::State;
+use phenomenon_tests::build::{Build, Built, color, scalar, vector};
+use phenomenon_tests::differential::{Outcome, outcome};
+
+const ENGINES: [Engine; 3] = [Engine::Walk, Engine::Batch, Engine::Jit];
+
+/// Points with different first coordinates, 0 and 1 among them.
+fn points() -> Vec<State> {
+    let state = |index: u32| {
+        let mut state = State { uv: [index as f32 / 8.0, 0.5], ..State::default() };
+        state.hit.instance = index;
+        state
+    };
+    (0..9).map(state).collect()
+}
+
+/// Shades the points and reports the times.
+fn shade(name: &str, built: &Built, engine: Engine) -> Outcome {
+    let start = Instant::now();
+    let shader = built.shader(&[], Options { engine, ..Options::default() });
+    let compiled = start.elapsed();
+    let found = outcome(&shader, RootKind::Material, &points());
+    println!(
+        "{name} in {engine:?}: compiled in {compiled:?}, shaded in {:?}",
+        start.elapsed() - compiled
+    );
+    found
+}
+
+/// The same outcome in every engine; the walk's is returned.
+fn agree(name: &str, built: &Built) -> Outcome {
+    let [walk, batch, jit] = ENGINES.map(|engine| shade(name, built, engine));
+    assert!(walk == batch, "{name}: walk and batch differ");
+    assert!(walk == jit, "{name}: walk and jit differ");
+    walk
+}
+
+fn additions(length: usize) -> Built {
+    let mut build = Build::new();
+    let u = build.node("state", &[]).output("u");
+    let mut sum = u.clone();
+    for _ in 0..length {
+        sum = build.node_of("add", Type::Scalar, &[("a", u.clone()), ("b", sum)]).first();
+    }
+    build.material(sum)
+}
+
+/// Each mix decides per point whether to go on down the chain and whether to trace.
+fn mixes_of_traces(length: usize) -> Built {
+    let mut build = Build::new();
+    let u = build.node("state", &[]).output("u");
+    let mut mixed = color([0.25; 4]);
+    for _ in 0..length {
+        let trace = build.node("trace_environment", &[("direction", vector([0.0, 0.0, 1.0]))]);
+        let inputs = [("weight", u.clone()), ("a", mixed), ("b", trace.first())];
+        mixed = build.node("mix", &inputs).first();
+    }
+    build.material(mixed)
+}
+
+fn nested_scopes(depth: usize) -> Built {
+    let mut build = Build::new();
+    let state = build.node("state", &[]);
+    let mut inner: Binding = build.node("trace_reflection", &[]).first();
+    for _ in 0..depth {
+        let sum = build.node("add", &[("a", inner), ("b", state.output("dot_nd"))]);
+        let inputs = [("normal", vector([0.6, 0.0, 0.8])), ("input", sum.first())];
+        inner = build.node("perturb_normal", &inputs).first();
+    }
+    build.material(inner)
+}
+
+/// Every level holds what is below twice: inside a scope and outside.
+fn doubling_scopes(levels: usize) -> Built {
+    let mut build = Build::new();
+    let mut inner = build.node("state", &[]).output("dot_nd");
+    for _ in 0..levels {
+        let inputs = [("normal", vector([0.6, 0.0, 0.8])), ("input", inner.clone())];
+        let bent = build.node("perturb_normal", &inputs);
+        inner = build.node("add", &[("a", inner), ("b", bent.first())]).first();
+    }
+    build.material(inner)
+}
+
+#[test]
+fn a_hundred_thousand_additions() {
+    let found = agree("100,000 additions", &additions(100_000));
+    assert_eq!(found.results[0].0[0], 0.0_f32.to_bits());
+    assert!(found.log.is_empty());
+}
+
+#[test]
+fn a_hundred_thousand_mixes_of_traces() {
+    let length = 100_000;
+    let built = mixes_of_traces(length);
+    let walk = shade("100,000 mixes", &built, Engine::Walk);
+    // Weight 0 goes down the chain and traces nothing, weight 1 stops at the first trace.
+    assert_eq!(walk.log.len(), 7 * length + 1);
+    assert!(walk == shade("100,000 mixes", &built, Engine::Batch));
+    agree("3,000 mixes", &mixes_of_traces(3_000));
+}
+
+#[test]
+fn scopes_in_scopes() {
+    let found = agree("200 nested scopes", &nested_scopes(200));
+    assert_eq!(found.log.len(), points().len());
+    agree("5,000 nested scopes", &nested_scopes(5_000));
+}
+
+#[test]
+fn scopes_that_double_end_in_an_error() {
+    for levels in [25, 200] {
+        let built = doubling_scopes(levels);
+        for engine in ENGINES {
+            let start = Instant::now();
+            let options = Options { engine, ..Options::default() };
+            let (graph, library) = (built.graph.clone(), built.library.clone());
+            let found = Shader::new(graph, library, &[], options);
+            println!("{levels} doublings in {engine:?}: {:?}", start.elapsed());
+            assert!(
+                matches!(
+                    found,
+                    Err(ShaderError::Specialise(SpecialiseError::TooManyInstances { .. }))
+                ),
+                "{levels} levels, {engine:?}: {found:?}"
+            );
+        }
+    }
+    agree("10 doublings", &doubling_scopes(10));
+}
+
+#[test]
+fn a_graph_of_one_literal() {
+    let build = Build::new();
+    let found = agree("a literal", &build.material(scalar(0.5)));
+    let half = 0.5_f32.to_bits();
+    assert_eq!(found.results[3], ([half, half, half, 1.0_f32.to_bits()], true));
+}
