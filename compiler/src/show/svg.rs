@@ -104,7 +104,7 @@ fn wires(pen: &mut Pen, diagram: &Diagram<'_>, layout: &Layout) {
         if tracks().all(|track| track.is_empty()) {
             continue;
         }
-        let halo: String = tracks().map(|track| curve(track)).collect();
+        let halo: String = tracks().map(curve).collect();
         let _ = writeln!(
             pen.svg,
             "<path d=\"{halo}\" fill=\"none\" stroke=\"{PAGE}\" stroke-width=\"5\"/>"
