@@ -43,7 +43,7 @@ fn check(seed: u64, case: &Case) -> Agreement {
 fn on_random_graphs() {
     let library = Arc::new(NodeLibrary::standard());
     let first = from_environment("PHENOMENON_SEED", 0);
-    let cases = from_environment("PHENOMENON_CASES", 1_000);
+    let cases = from_environment("PHENOMENON_CASES", 2_000);
     let mut ran = 0;
     let mut naive = 0;
     let mut with_requests = 0;
