@@ -10,7 +10,7 @@ pub enum Outcome {
     Fine,
     /// Exit code 1: findings, or a difference above the tolerance.
     Found,
-    /// Exit code 2: among the findings is a file that cannot be read.
+    /// Exit code 2: a file could not be read; everything else was done.
     Unreadable,
 }
 

@@ -4,15 +4,14 @@ use std::path::Path;
 use std::sync::Arc;
 
 use clap::Args;
-use phenomenon_compiler::check::read_graph_file;
-use phenomenon_compiler::diagnostics::Finding;
+use phenomenon_compiler::check::{Checked, read_graph_file};
 use phenomenon_compiler::engine::{Engine, Options, Shader};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::{Literal, NodeLibrary};
 
 use crate::arguments::{self, Assignment, EngineChoice, Precision, SimdChoice};
 use crate::failure::Failure;
-use crate::terminal;
+use crate::report;
 
 /// The flags that say how a graph is run.
 #[derive(Debug, Args)]
@@ -47,10 +46,15 @@ impl EngineArguments {
 /// # Errors
 /// The file cannot be read, or has errors.
 pub fn read(path: &Path, library: &NodeLibrary) -> Result<Graph, Failure> {
-    let checked = read_graph_file(path, library);
-    for finding in &checked.findings {
-        terminal::tell(&in_a_line(finding));
-    }
+    checked(path, read_graph_file(path, library))
+}
+
+/// The graph that was checked; what was found goes to standard error.
+///
+/// # Errors
+/// There were errors.
+pub fn checked(path: &Path, checked: Checked) -> Result<Graph, Failure> {
+    report::tell(&checked.findings, checked.omitted);
     checked.graph.ok_or_else(|| unusable(path))
 }
 
@@ -94,12 +98,4 @@ pub fn compile(
     let name = graph.name.clone();
     Shader::new(Arc::new(graph), Arc::clone(library), values, options)
         .map_err(|error| Failure::new(format!("`{name}`: {error}"), ""))
-}
-
-/// A finding as compilers write them.
-fn in_a_line(finding: &Finding) -> String {
-    let Finding { place, severity, code, message, help, .. } = finding;
-    let (line, column) = place.line_column();
-    let name = &place.file.name;
-    format!("{name}:{line}:{column}: {severity}[{code}]: {message}\n  help: {help}")
 }

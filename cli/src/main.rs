@@ -5,13 +5,15 @@ mod commands;
 mod failure;
 mod graphs;
 mod numbers;
+mod report;
+mod scenes;
 mod terminal;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{compare, eval, nodes};
+use crate::commands::{check, compare, eval, explain, fmt, nodes, render, schema};
 use crate::failure::{Failure, Outcome};
 
 /// Reads shader graphs, checks them, compiles them and renders pictures with them.
@@ -30,9 +32,14 @@ Exit codes:
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Check(check::Arguments),
     Compare(compare::Arguments),
     Eval(eval::Arguments),
+    Explain(explain::Arguments),
+    Fmt(fmt::Arguments),
     Nodes(nodes::Arguments),
+    Render(render::Arguments),
+    Schema(schema::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -58,8 +65,13 @@ fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<Outcome, Failure> {
     match command {
+        Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
+        Command::Fmt(arguments) => fmt::run(&arguments),
         Command::Nodes(arguments) => nodes::run(&arguments),
+        Command::Render(arguments) => render::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments),
     }
 }

@@ -83,6 +83,7 @@ pub mod graph;
 pub mod nodes;
 pub mod ops;
 pub mod schedule;
+pub mod schema;
 pub mod show;
 pub mod specialise;
 pub mod state;

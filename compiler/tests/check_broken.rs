@@ -47,6 +47,8 @@ fn check(path: &Path, library: &NodeLibrary) -> Checked {
 fn broken_files_have_their_expected_reports() {
     let bless = std::env::var_os("PHENOMENON_BLESS").is_some();
     let library = NodeLibrary::standard();
+    // Files are named without a folder in the reports, wherever the tests run.
+    std::env::set_current_dir(folder()).unwrap();
     let mut files: Vec<PathBuf> = std::fs::read_dir(folder())
         .unwrap()
         .map(|entry| entry.unwrap().path())

@@ -44,3 +44,15 @@ fn codes_are_unique_and_told() {
         assert!(!explanation.title.ends_with('.'));
     }
 }
+
+/// `PHENOMENON_BLESS=1 cargo test -p phenomenon-compiler --test check_examples` writes it anew.
+#[test]
+fn the_page_of_diagnostics_is_in_sync() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/diagnostics.md");
+    let page = phenomenon_compiler::diagnostics::documentation();
+    if std::env::var_os("PHENOMENON_BLESS").is_some() {
+        std::fs::write(&path, &page).unwrap();
+    }
+    let checked_in = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(checked_in == page, "docs/diagnostics.md differs; write it anew as this test says");
+}

@@ -10,7 +10,8 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
         let path = entry.unwrap().path();
         if path.is_dir() && !path.ends_with("broken") {
             files(&path, found);
-        } else if path.extension().is_some_and(|it| it == "json") && !path.ends_with("schema.json") {
+        } else if path.extension().is_some_and(|it| it == "json") && !path.ends_with("schema.json")
+        {
             found.push(path);
         }
     }

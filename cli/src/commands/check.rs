@@ -15,6 +15,7 @@ use crate::terminal;
 
 /// Says all that is wrong in graphs and scenes.
 #[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Arguments {
     /// Files, folders (every .json file in them that is a graph or a scene), or `-` for standard
     /// input.
@@ -33,6 +34,17 @@ pub struct Arguments {
     #[arg(long)]
     fix: bool,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  phenomenon check graphs
+  phenomenon check glass.json --deny warnings --format sarif
+  cat glass.json | phenomenon check -
+
+Exit codes:
+  0  no errors
+  1  errors
+  2  wrong usage, or a file that cannot be read";
 
 fn code(name: &str) -> Result<Code, String> {
     Code::from_name(name).ok_or_else(|| {
@@ -72,10 +84,11 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let wrong = omitted > 0 || findings.iter().any(|finding| finding.severity == Severity::Error);
     let color = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     terminal::print(&Report::new(findings, omitted).text(arguments.format, color))?;
-    if unreadable {
-        return Err(Failure::new("not every file could be read", "see the findings"));
-    }
-    Ok(if wrong { Outcome::Found } else { Outcome::Fine })
+    Ok(match (unreadable, wrong) {
+        (true, _) => Outcome::Unreadable,
+        (_, true) => Outcome::Found,
+        _ => Outcome::Fine,
+    })
 }
 
 /// A file to check.

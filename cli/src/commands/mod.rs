@@ -1,5 +1,10 @@
 //! The subcommands, a file each.
 
+pub mod check;
 pub mod compare;
 pub mod eval;
+pub mod explain;
+pub mod fmt;
 pub mod nodes;
+pub mod render;
+pub mod schema;

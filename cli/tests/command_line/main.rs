@@ -1,5 +1,6 @@
 //! The program as its users run it: what it prints and how it ends.
 
+mod check;
 mod compare;
 mod eval;
 mod nodes;

@@ -8,10 +8,10 @@ use crate::program::{printed, program, refused, run};
 #[test]
 fn help_lists_the_commands_and_exit_codes() {
     let help = printed(&["--help"]);
-    for part in ["compare", "eval", "nodes", "Exit codes:"] {
+    for part in ["check", "compare", "eval", "nodes", "Exit codes:"] {
         assert!(help.contains(part), "{help}");
     }
-    for command in ["compare", "eval", "nodes"] {
+    for command in ["check", "compare", "eval", "nodes"] {
         let help = printed(&[command, "--help"]);
         assert!(help.contains("Examples:"), "{help}");
     }

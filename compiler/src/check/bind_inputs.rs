@@ -23,7 +23,7 @@ pub(super) fn bind<'d>(
         nodes.push(Node {
             name: node.member.key.clone(),
             node_type,
-            overload: overload(draft.library, node_type, types.generic(at)),
+            overload: overload(&draft.library, node_type, types.generic(at)),
             inputs: bind_node(reader, draft, types, at, node_type),
         });
     }

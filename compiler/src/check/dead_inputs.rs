@@ -15,7 +15,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, nodes: &[Node]) 
         for given in &drafted.inputs {
             let Some(input) = given.input else { continue };
             let connected = matches!(given.source.kind, SourceKind::Node(..));
-            if !connected || !signature.inputs[input].guarded || !never(draft.library, node, input)
+            if !connected || !signature.inputs[input].guarded || !never(&draft.library, node, input)
             {
                 continue;
             }

@@ -2,14 +2,22 @@
 
 use std::cell::Cell;
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use crate::document::{Member, Suggestion, Value, nearest};
 use crate::graph::Parameter;
 use crate::nodes::{NodeLibrary, NodeType, Type};
 
+use super::nested::Nested;
+
 /// The names of a graph, and their types as far as they are known.
 pub(super) struct Draft<'d> {
-    pub library: &'d NodeLibrary,
+    /// The nodes of the library, and after them the phenomena this one uses.
+    pub library: NodeLibrary,
+    /// The phenomena used, by file as written; none where a file cannot be used.
+    pub phenomena: HashMap<&'d str, Option<NodeType>>,
+    /// What they are, by node type.
+    pub nested: HashMap<NodeType, Rc<Nested>>,
     pub parameters: Vec<DraftParameter<'d>>,
     pub nodes: Vec<DraftNode<'d>>,
     pub roots: Vec<DraftRoot<'d>>,

@@ -10,8 +10,11 @@ use crate::graph::Graph;
 use crate::nodes::NodeLibrary;
 
 use super::draft::{Draft, Suggestions};
+use super::nested::{Files, Nest, OnDisk};
+use super::requirements::Requirements;
 use super::{
-    bind_inputs, cycles, dead_inputs, interface, light_loops, nodes, ranges, reach, roots, types,
+    bind_inputs, cycles, dead_inputs, expand, hazards, interface, light_loops, nodes, ranges,
+    reach, requirements, roots, stations, types,
 };
 
 /// Most nodes a graph may have.
@@ -56,14 +59,29 @@ const KEYS: [&str; 9] = [
     "editor",
 ];
 
-/// Checks a document that holds a phenomenon. All its mistakes are found in one run.
+/// Checks a document that holds a phenomenon. All its mistakes are found in one run. Phenomena it
+/// uses are read from disk, relative to the folder of the document's file.
 pub fn check_graph(document: &Document, library: &NodeLibrary) -> Checked {
+    check_graph_with(document, library, &OnDisk)
+}
+
+/// The same with the files it uses from elsewhere.
+pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn Files) -> Checked {
+    let mut nest = Nest::new(library, files, document);
     let mut reader = Reader::new(document);
-    let graph = check(&mut reader, library);
+    let graph = check(&mut reader, &mut nest).map(|(graph, _)| graph);
+    // What is wrong in the files it uses follows what is wrong in itself.
+    for finding in nest.into_findings() {
+        reader.findings.push(finding);
+    }
     Checked::from(reader.findings, graph)
 }
 
-fn check<'d>(reader: &mut Reader<'d>, library: &'d NodeLibrary) -> Option<Graph> {
+/// Checks a phenomenon; the graph has no nested phenomena any more.
+pub(super) fn check<'d>(
+    reader: &mut Reader<'d>,
+    nest: &mut Nest<'_>,
+) -> Option<(Graph, Requirements)> {
     let root = &reader.document.root;
     if !is_graph(reader, root) {
         return None;
@@ -82,7 +100,9 @@ fn check<'d>(reader: &mut Reader<'d>, library: &'d NodeLibrary) -> Option<Graph>
         reader.string(value, "`$schema`");
     }
     let mut draft = Draft {
-        library,
+        library: nest.library.clone(),
+        phenomena: HashMap::new(),
+        nested: HashMap::new(),
         parameters: Vec::new(),
         nodes: Vec::new(),
         roots: Vec::new(),
@@ -91,26 +111,42 @@ fn check<'d>(reader: &mut Reader<'d>, library: &'d NodeLibrary) -> Option<Graph>
         suggestions: Suggestions::default(),
         unresolved: Cell::new(reader.findings.has_errors()),
     };
+    nest.load(reader, object.optional("nodes"), &mut draft);
     interface::read(reader, object.optional("interface"), &mut draft);
     nodes::read(reader, object.optional("nodes"), &mut draft)?;
     roots::read(reader, root, object.optional("roots"), &mut draft);
     let order = cycles::order(reader, &draft);
     let types = types::resolve(&draft, &order);
     let (nodes, roots) = bind_inputs::bind(reader, &draft, &types);
+    let requirements = requirements::check(reader, object.optional("requires"), &draft);
     light_loops::check(reader, &draft);
+    stations::check(reader, &draft);
     reach::check(reader, &draft);
     ranges::check(reader, &draft);
+    hazards::check(reader, &draft);
     if nodes.len() == draft.nodes.len() {
         dead_inputs::check(reader, &draft, &nodes);
     }
-    Some(Graph {
+    let graph = Graph {
         name: name.unwrap_or_default().to_owned(),
         doc: doc.unwrap_or_default().to_owned(),
         version: version.unwrap_or_default() as i32,
-        parameters: draft.parameters.into_iter().filter_map(|given| given.parameter).collect(),
+        parameters: draft
+            .parameters
+            .iter_mut()
+            .filter_map(|given| given.parameter.take())
+            .collect(),
         nodes,
         roots,
-    })
+    };
+    if draft.phenomena.values().any(Option::is_none) || reader.findings.has_errors() {
+        return None;
+    }
+    if draft.nested.is_empty() {
+        return Some((graph, requirements));
+    }
+    let graph = expand::expand(reader, &draft, graph)?;
+    Some((graph, requirements))
 }
 
 /// Whether the document is meant as a graph; a finding if not.

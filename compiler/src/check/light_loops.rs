@@ -62,7 +62,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
         .iter()
         .map(|(node_type, definition)| {
             let inputs = 0..definition.signature.inputs.len();
-            inputs.map(|input| reads_light(draft.library, node_type, input)).collect()
+            inputs.map(|input| reads_light(&draft.library, node_type, input)).collect()
         })
         .collect();
     let mut walk = Walk {
@@ -102,7 +102,7 @@ impl Walk<'_, '_> {
         from: &Value,
     ) {
         let Some(node_type) = self.draft.nodes[node].node_type else { return };
-        if is_of_light(self.draft.library, node_type, output) {
+        if is_of_light(&self.draft.library, node_type, output) {
             self.report(reader, node, Some(from), "");
         }
         if !std::mem::replace(&mut self.visited[node], true) {

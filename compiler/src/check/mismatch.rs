@@ -18,7 +18,7 @@ pub(super) fn report(
     let (whole, part) = describe(draft, source);
     let message =
         format!("{} takes {}, but {whole} is {}", what(), with_article(to), with_article(from));
-    let help = help(draft.library, from, to, &part);
+    let help = help(&draft.library, from, to, &part);
     let mut finding =
         Finding::new(Code::TYPE_MISMATCH, reader.document.place(source.value), message, help);
     if let SourceKind::Parameter(parameter) = source.kind {
@@ -78,7 +78,8 @@ fn converters(library: &NodeLibrary, from: Type, to: Type) -> Vec<String> {
 
 /// How a node makes `to` of `from` if it needs nothing else, and how roundabout that is.
 fn converter(signature: &Signature, from: Type, to: Type) -> Option<(usize, String)> {
-    if signature.kind != Kind::Plain {
+    // Phenomena, which are named for their files, convert nothing by intent.
+    if signature.kind != Kind::Plain || signature.name.contains(['.', '/']) {
         return None;
     }
     let name = format!("a `{}` node", signature.name);

@@ -1,12 +1,12 @@
 //! Reading `nodes`: types, inputs and connections by name.
 
 use crate::diagnostics::{Code, Finding};
-use crate::document::{Member, Reader, Value, listed, shortened};
+use crate::document::{Member, Reader, Value, ValueKind, listed, shortened};
 use crate::nodes::NodeType;
 
 use super::MAX_NODES;
 use super::draft::{Draft, DraftInput, DraftNode};
-use super::sources;
+use super::{nested, sources};
 
 /// The keys of a node.
 const KEYS: [&str; 5] = ["type", "version", "doc", "inputs", "editor"];
@@ -79,6 +79,7 @@ fn read_header<'d>(
     let what = || format!("node `{}`", shortened(&member.key));
     let mut node_type = None;
     let mut has_type = false;
+    let mut version = None;
     let Some(members) = reader.members(&member.value, "a node") else { return None };
     for part in members {
         match part.key.as_str() {
@@ -90,7 +91,9 @@ fn read_header<'d>(
                 reader.string(&part.value, "`doc`");
             }
             "version" => {
-                reader.integer(&part.value, "`version`", 0..=i64::from(i32::MAX));
+                version = reader
+                    .integer(&part.value, "`version`", 0..=i64::from(i32::MAX))
+                    .map(|it| (it as i32, &part.value))
             }
             "inputs" | "editor" => {}
             _ => reader.unknown_key(part, &what(), &KEYS),
@@ -99,12 +102,45 @@ fn read_header<'d>(
     if !has_type {
         reader.missing(&member.value, &what(), "type");
     }
+    if let (Some(node_type), Some((version, value))) = (node_type, version) {
+        check_version(reader, draft, node_type, version, value);
+    }
     node_type
 }
 
+/// Version of every node type of the library.
+const LIBRARY_VERSION: i32 = 1;
+
+/// Reports a version that is not that of what is used; 0 asks for none.
+fn check_version(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    node_type: NodeType,
+    wanted: i32,
+    value: &Value,
+) {
+    let nested = draft.nested.get(&node_type);
+    let version = nested.map_or(LIBRARY_VERSION, |nested| nested.graph.version);
+    if wanted == 0 || wanted == version {
+        return;
+    }
+    let name = draft.library.signature(node_type).name;
+    let message = format!("`{name}` has version {version}, not {wanted}");
+    let help = format!("check what changed in it, then write `\"version\": {version}`");
+    reader.report(Code::VERSION_MISMATCH, value, message, help);
+}
+
 fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> Option<NodeType> {
+    if let Some(file) = nested::file_of(value) {
+        return draft.phenomena.get(file).copied().flatten();
+    }
+    if matches!(value.kind, ValueKind::Object(_)) {
+        let object = reader.object(value, "the type of a node", &["file"])?;
+        let file = object.required(reader, "file")?;
+        return reader.string(file, "`file`").and(None);
+    }
     let name = reader.string(value, "the type of a node")?;
-    let found = draft.library.find(name);
+    let found = draft.library.find(name).filter(|found| !draft.nested.contains_key(found));
     if found.is_none() {
         let names: Vec<&str> =
             draft.library.iter().map(|(_, definition)| definition.signature.name).collect();

@@ -23,7 +23,14 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
                 format!("input `{}` of node `{name}` ({})", input.name, signature.name)
             };
             match given.source.kind {
-                SourceKind::Literal => literal(reader, given.source.value, input, &what),
+                SourceKind::Literal => {
+                    // The ranges of a phenomenon's parameters are enforced, those of nodes are not.
+                    let code = match draft.nested.contains_key(&node_type) {
+                        true => Code::NUMBER_OUT_OF_RANGE,
+                        false => Code::LITERAL_OUT_OF_RANGE,
+                    };
+                    literal(reader, given.source.value, input, code, &what);
+                }
                 SourceKind::Parameter(at) => {
                     parameter(reader, draft, at, given.source.value, input, &what);
                 }
@@ -33,7 +40,13 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
     }
 }
 
-fn literal(reader: &mut Reader<'_>, value: &Value, input: &Input, what: &dyn Fn() -> String) {
+fn literal(
+    reader: &mut Reader<'_>,
+    value: &Value,
+    input: &Input,
+    code: Code,
+    what: &dyn Fn() -> String,
+) {
     let elements = match &value.kind {
         // Alpha has no range.
         ValueKind::Array(elements) if matches!(elements.len(), 3 | 4) => &elements[..3],
@@ -50,7 +63,7 @@ fn literal(reader: &mut Reader<'_>, value: &Value, input: &Input, what: &dyn Fn(
         let message = format!("{} is {}, outside {range}", what(), shortened(number));
         let help =
             format!("give a number in {range}; outside of it the result has no promised meaning");
-        reader.report(Code::LITERAL_OUT_OF_RANGE, value, message, help);
+        reader.report(code, value, message, help);
     }
 }
 

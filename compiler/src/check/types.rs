@@ -93,7 +93,7 @@ fn resolve_node(
         (Some(found), ..) => found,
         (None, ..) => Type::Scalar,
     };
-    overload_type(draft.library, node_type, resolved)
+    overload_type(&draft.library, node_type, resolved)
 }
 
 fn is_triple(source: &Source<'_>) -> bool {

@@ -97,7 +97,7 @@ codes! {
         right r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0] } }"#;
     MISSING_KEY "missing-key" Error "A key that must be given",
         "The object cannot be understood without this key.",
-        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "inputs": {} } }, "roots": { "material": 1 } }"#,
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "inputs": {} } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "add" } }, "roots": { "material": { "node": "n" } } }"#;
     WRONG_KIND "wrong-kind" Error "A value of the wrong kind",
         "The place takes another kind of JSON value: an object, a list, a string, a number, true or false.",
@@ -127,6 +127,15 @@ codes! {
         "A graph is an object with the key `phenomenon`, a scene one with the key `scene`. This file is the other of the two, or neither.",
         wrong r#"{ "nodes": {}, "roots": { "material": 1 } }"#,
         right r#"{ "phenomenon": "a", "nodes": {}, "roots": { "material": 1 } }"#;
+    NOT_A_SCENE "not-a-scene" Error "A file that is no scene",
+        "A scene is an object with the key `scene`, a graph one with the key `phenomenon`. This file is the other of the two, or neither.",
+        wrong "", right "";
+    UNUSABLE_FILE "unusable-file" Error "A mesh or picture that cannot be used",
+        "A scene names a mesh or a picture that was found but is malformed, empty, or holds numbers that are not finite.",
+        wrong "", right "";
+    UNUSABLE_OBJECT "unusable-object" Error "A part of a scene that makes no sense",
+        "The numbers are each in range, but together they give no camera, light, object or transform: a camera that looks at itself, a transform that flattens, a sphere scaled unevenly.",
+        wrong "", right "";
     UNKNOWN_NODE_TYPE "unknown-node-type" Error "A node type that does not exist",
         "No node of this type is in the library. `phenomenon nodes` lists them all.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mixx" } }, "roots": { "material": { "node": "n" } } }"#,
@@ -194,4 +203,24 @@ codes! {
         "The inputs that decide whether this one is needed are constants, and they rule it out: the mix has weight 0, the condition is always true. What is connected here costs nothing and shows nowhere.",
         wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0.5, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#;
+    CONFLICTING_REQUIREMENTS "conflicting-requirements" Error "Requirements that cannot both hold",
+        "Requirements of the file, of its nodes and of the phenomena it uses are joined before rendering. Two of them contradict each other; the finding names both.",
+        wrong r#"{ "phenomenon": "a", "requires": { "trace": "off" }, "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "material": { "node": "t" } } }"#,
+        right r#"{ "phenomenon": "a", "requires": { "trace": "on" }, "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "material": { "node": "t" } } }"#;
+    VERSION_MISMATCH "version-mismatch" Error "Another version than the one asked for",
+        "A node may say which version of its type it was made for; 0, or nothing, asks for none. The nodes of the library have version 1, a phenomenon the `version` its file gives.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "version": 2 } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "version": 1 } }, "roots": { "material": { "node": "n" } } }"#;
+    RECURSION "recursion" Error "A phenomenon that is a part of itself",
+        "A phenomenon is expanded in the place of the node that uses it, so none may use itself, directly or through other files. The finding shows the way through the files. Files may be nested 32 deep.",
+        wrong r#"a.json: { … "nodes": { "n": { "type": { "file": "a.json" } } } … }"#,
+        right r#"a.json: { … "nodes": { "n": { "type": { "file": "b.json" } } } … }"#;
+    NUMERIC_HAZARD "numeric-hazard" Warning "A number that means nothing where it arrives",
+        "A constant or the range of a parameter lets a node divide by zero or raise a negative number to a power. The result is defined, and the same in every engine, but hardly what is wanted.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 0 } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 2 } } }, "roots": { "material": { "node": "n" } } }"#;
+    MISPLACED_EFFECT "misplaced-effect" Error "An effect its shader type does not allow",
+        "Each shader type is called at a moment of its own. A displacement runs before there is a scene, an output shader on finished pixels, a light shader while a light loop asks it: not every ray can be cast and not every light asked then.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "displacement": { "node": "t" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "material": { "node": "t" } } }"#;
 }

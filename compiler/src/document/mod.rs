@@ -3,6 +3,7 @@
 //! It is strict JSON (RFC 8259) in UTF-8. It keeps duplicate keys, so that the checker can
 //! report them, and numbers as written.
 
+mod canonical;
 mod places;
 mod prescan;
 mod read;
@@ -14,6 +15,7 @@ use std::sync::Arc;
 
 use crate::diagnostics::SourceFile;
 
+pub use canonical::canonical;
 pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES};
 pub use read::{read, read_file};
 pub use reader::{Object, Reader};

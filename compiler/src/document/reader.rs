@@ -91,6 +91,11 @@ impl<'d> Reader<'d> {
 
     /// Reports that an object lacks a key.
     pub fn missing(&mut self, value: &Value, what: &str, key: &str) {
+        // A misspelt key was reported as the unknown one it is.
+        let misspelt = |member: &Member| member.key != key && nearest(&member.key, [key]).is_some();
+        if value.members().iter().any(misspelt) {
+            return;
+        }
         // The opening bracket is place enough: the object may be the whole file.
         let place = self.document.place_of_bytes(value.start, value.start + 1);
         self.findings.push(Finding::new(

@@ -184,13 +184,7 @@ mod tests {
         ) {
             samples.fill(LightSample::default());
         }
-        fn light_colors(
-            &mut self,
-            _: LightList,
-            _: usize,
-            _: &[State],
-            colors: &mut [[f32; 3]],
-        ) {
+        fn light_colors(&mut self, _: LightList, _: usize, _: &[State], colors: &mut [[f32; 3]]) {
             colors.fill([0.0; 3]);
         }
     }

@@ -215,11 +215,7 @@ impl Builder<'_> {
 
     /// Fills one region.
     fn region(&mut self, region: RegionId, head: &Head, pure: &[Vec<InstanceId>]) {
-        let mut open = Open {
-            items: Vec::new(),
-            pending: Segment::default(),
-            stack: Vec::new(),
-        };
+        let mut open = Open { items: Vec::new(), pending: Segment::default(), stack: Vec::new() };
         let (name, prologue) = match head {
             Head::Instance(id) => {
                 open.stack.push((*id, 0));
@@ -279,7 +275,10 @@ impl Builder<'_> {
                     let output = self.slots;
                     self.slots += 1;
                     open.pending.steps.push(Step {
-                        name: format!("{} demands {}", instance.name, graph.instances[demand.source].name),
+                        name: format!(
+                            "{} demands {}",
+                            instance.name, graph.instances[demand.source].name
+                        ),
                         code: guard.code,
                         words: guard.words.clone(),
                         output,

@@ -168,9 +168,8 @@ fn settle(
         }
         pools.push(pool);
     }
-    let places = pools.iter().flat_map(|pool| {
-        std::iter::repeat_n(pool.sum / pool.weight, pool.members)
-    });
+    let places =
+        pools.iter().flat_map(|pool| std::iter::repeat_n(pool.sum / pool.weight, pool.members));
     for ((&vertex, offset), place) in column.iter().zip(offsets).zip(places) {
         middles[vertex] = place + offset;
     }

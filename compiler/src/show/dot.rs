@@ -68,11 +68,8 @@ pub fn draw_dot(graph: &Graph, library: &NodeLibrary) -> Result<String, ShowErro
                 target.value_type.name()
             );
         }
-        let _ = writeln!(
-            text,
-            "  {}:o{output}:e -> {}:i{input}:w [{attributes}];",
-            ids[from], ids[to]
-        );
+        let _ =
+            writeln!(text, "  {}:o{output}:e -> {}:i{input}:w [{attributes}];", ids[from], ids[to]);
     }
     text.push_str("}\n");
     Ok(text)

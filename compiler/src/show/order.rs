@@ -64,7 +64,11 @@ impl Links {
             let from_port = segment.from_offset / routes.vertices[segment.from].height;
             let to_port = segment.to_offset / routes.vertices[segment.to].height;
             left[segment.to].push(End { vertex: segment.from, port: from_port, own_port: to_port });
-            right[segment.from].push(End { vertex: segment.to, port: to_port, own_port: from_port });
+            right[segment.from].push(End {
+                vertex: segment.to,
+                port: to_port,
+                own_port: from_port,
+            });
         }
         Self { left, right }
     }
@@ -106,9 +110,9 @@ impl Links {
             let mut ends: Vec<(f64, f64)> = Vec::new();
             for &vertex in column {
                 let here = self.right[vertex].iter();
-                ends.extend(here.map(|end| {
-                    (place[vertex] + end.own_port, place[end.vertex] + end.port)
-                }));
+                ends.extend(
+                    here.map(|end| (place[vertex] + end.own_port, place[end.vertex] + end.port)),
+                );
             }
             ends.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
             total += inversions(ends.into_iter().map(|(_, to)| to).collect());

@@ -81,8 +81,7 @@ pub(super) fn routes(diagram: &Diagram<'_>, frames: &[Frame], layers: &[usize]) 
         layer,
         height: frame.height,
     });
-    let mut all =
-        Routes { vertices: vertices.collect(), segments: Vec::new(), routes: Vec::new() };
+    let mut all = Routes { vertices: vertices.collect(), segments: Vec::new(), routes: Vec::new() };
     let reach = reach(diagram, layers);
     let mut trunks: Vec<Vec<Trunk>> =
         diagram.cards.iter().map(|card| vec![Trunk::default(); card.outputs.len()]).collect();
@@ -132,11 +131,8 @@ impl Routes {
 
 /// Most columns a wire may pass so that there are no more than [`MAX_BENDS`] bends.
 fn reach(diagram: &Diagram<'_>, layers: &[usize]) -> usize {
-    let mut passed: Vec<usize> = diagram
-        .wires
-        .iter()
-        .map(|wire| layers[wire.to.0] - layers[wire.from.0] - 1)
-        .collect();
+    let mut passed: Vec<usize> =
+        diagram.wires.iter().map(|wire| layers[wire.to.0] - layers[wire.from.0] - 1).collect();
     passed.sort_unstable();
     // Wires that share a trunk are counted apart: the bound errs on the safe side.
     let mut bends = 0;

@@ -73,7 +73,8 @@ mod tests {
 
     #[test]
     fn numbers_stay_short_and_exact() {
-        let hard = [0.0, -0.0, 0.1, 1.0 / 3.0, 1e-45, f32::MIN_POSITIVE, f32::MAX, -1e-5, 9_999_999.0];
+        let hard =
+            [0.0, -0.0, 0.1, 1.0 / 3.0, 1e-45, f32::MIN_POSITIVE, f32::MAX, -1e-5, 9_999_999.0];
         for x in hard {
             let text = number(x);
             assert!(text.len() <= 14, "{text}");
@@ -98,6 +99,9 @@ mod tests {
         let value = default(&Default::Literal(Literal::Scalar(1.0)), Type::Color);
         assert_eq!(value.swatch, Some([1.0; 3]));
         assert_eq!(default(&crate::nodes::node("mix"), Type::Vector).text, "mix");
-        assert_eq!(default(&crate::nodes::state(crate::state::Field::U), Type::Scalar).text, "state.u");
+        assert_eq!(
+            default(&crate::nodes::state(crate::state::Field::U), Type::Scalar).text,
+            "state.u"
+        );
     }
 }

@@ -11,7 +11,9 @@ mod views;
 
 pub use epochs::{Epoch, EpochId, EpochKind, Epochs};
 pub use expand::{MAX_INSTANCES, expand, mix_key};
-pub use instances::{Context, Demand, Guard, Instance, InstanceId, InstanceKind, LightTable, Specialised};
+pub use instances::{
+    Context, Demand, Guard, Instance, InstanceId, InstanceKind, LightTable, Specialised,
+};
 pub use reads::FieldSet;
 pub use uniforms::Uniforms;
 

@@ -96,7 +96,10 @@ impl<'a> Views<'a> {
         }
         for implied in missing {
             let Some(node_type) = library.find(implied) else {
-                return Err(inconsistent(implied, "an input implies this node type, which is unknown"));
+                return Err(inconsistent(
+                    implied,
+                    "an input implies this node type, which is unknown",
+                ));
             };
             let definition = library.definition(node_type);
             self.implied.insert(implied, self.views.len());

@@ -1,7 +1,18 @@
-//! Scenes: what is rendered.
+//! Scenes: what is rendered, and the files that describe it.
 
 mod build;
 mod depth;
+mod description;
+mod embedded;
+mod file;
+mod objects;
+mod surroundings;
 
 pub use build::{Scene, SceneBuilder, SceneError};
-pub use depth::TraceDepth;
+pub use depth::{DEPTH_LIMIT, TraceDepth};
+pub use description::{
+    BuildError, EnvironmentDescription, MaterialRef, MaterialSource, ObjectDescription, Override,
+    SceneDescription, SceneOptions, ShapeDescription,
+};
+pub use embedded::{default_scene, embedded_file};
+pub use file::{SceneFile, is_scene, read_scene, read_scene_file};

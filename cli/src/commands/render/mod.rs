@@ -1,6 +1,6 @@
 //! `phenomenon render`.
 
-mod report;
+mod cost;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -10,8 +10,9 @@ use clap::Args;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::film;
 use phenomenon_runtime::render::{Rendered, Settings};
+use phenomenon_runtime::scene::SceneOptions;
 
-use self::report::Cost;
+use self::cost::Cost;
 use crate::arguments::{self, Assignment, NodePath, Size};
 use crate::failure::{Failure, Outcome};
 use crate::graphs::EngineArguments;
@@ -40,10 +41,9 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = arguments::threads, allow_hyphen_values = true)]
     threads: Option<usize>,
 
-    /// Seed of all random numbers
-    #[arg(long, value_name = "N", default_value = "0", value_parser = arguments::seed,
-          allow_hyphen_values = true)]
-    seed: u64,
+    /// Seed of all random numbers; otherwise as the scene says
+    #[arg(long, value_name = "N", value_parser = arguments::seed, allow_hyphen_values = true)]
+    seed: Option<u64>,
 
     /// Give a parameter of the graph another value than its default; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = arguments::assignment)]
@@ -134,12 +134,13 @@ fn default_output(arguments: &Arguments) -> Result<PathBuf, Failure> {
 }
 
 fn settings(arguments: &Arguments, picture: &Picture) -> Settings {
-    let size = arguments.size.unwrap_or(picture.size);
+    let SceneOptions { width, height, samples, seed, .. } = picture.options;
+    let size = arguments.size.unwrap_or(Size { width, height });
     Settings {
         width: size.width,
         height: size.height,
-        samples: arguments.spp.unwrap_or(picture.samples),
-        seed: arguments.seed,
+        samples: arguments.spp.unwrap_or(samples),
+        seed: arguments.seed.unwrap_or(seed),
         threads: arguments.threads.unwrap_or(0),
         batch: arguments.engine.batch as usize,
         ..Settings::default()
@@ -148,11 +149,11 @@ fn settings(arguments: &Arguments, picture: &Picture) -> Settings {
 
 fn render(picture: &Picture, settings: &Settings, quiet: bool) -> Result<Rendered, Failure> {
     let bar = terminal::progress("tiles", quiet);
-    let rendered =
-        phenomenon_runtime::render::render(&picture.scene, settings, &|done, total| {
-            bar.set_length(total as u64);
-            bar.set_position(done as u64);
-        });
+    let rendered = phenomenon_runtime::render::render(&picture.scene, settings, &|done, total| {
+        bar.set_length(total as u64);
+        bar.set_position(done as u64);
+    });
     bar.finish_and_clear();
-    rendered.map_err(|error| Failure::new(error, "choose other values for --size, --spp or --threads"))
+    rendered
+        .map_err(|error| Failure::new(error, "choose other values for --size, --spp or --threads"))
 }

@@ -57,7 +57,8 @@ impl Plan {
                     Stretch::Heavy(step) => pieces.push(Piece::Kernel(step)),
                     Stretch::Light { from, to } => {
                         let ops = record(&segment.steps[from..to], number, &readers);
-                        let split = split::split(&dead::remove(&fold::fold(&ops)), FUNCTION_OPS, slots);
+                        let split =
+                            split::split(&dead::remove(&fold::fold(&ops)), FUNCTION_OPS, slots);
                         slots += split.scratch;
                         for part in split.parts {
                             pieces.push(Piece::Fused(functions.len()));
@@ -109,9 +110,8 @@ fn stretches(segment: &Segment) -> Vec<Stretch> {
     let mut from = 0;
     let mut weights = HashMap::new();
     for (at, step) in segment.steps.iter().enumerate() {
-        let weight = *weights
-            .entry(step.code.record as usize)
-            .or_insert_with(|| record_alone(step));
+        let weight =
+            *weights.entry(step.code.record as usize).or_insert_with(|| record_alone(step));
         if weight > HEAVY_OPS {
             if from < at {
                 stretches.push(Stretch::Light { from, to: at });

@@ -1,0 +1,165 @@
+//! What a phenomenon requires of the renderer: mental ray's requirements, joined over the file,
+//! its nodes and the phenomena it uses.
+
+use std::collections::BTreeMap;
+
+use crate::diagnostics::{Code, Finding, Place};
+use crate::document::{Member, Reader, Value, shortened};
+use crate::effects::Effect;
+use crate::nodes::Kind;
+
+use super::draft::Draft;
+use super::roots::ShaderType;
+
+/// The keys of `requires`.
+pub(super) const KEYS: [&str; 11] = [
+    "scanline",
+    "trace",
+    "shadow",
+    "face",
+    "space",
+    "texture",
+    "bump",
+    "volume_level",
+    "derivative",
+    "parallel",
+    "apply",
+];
+
+/// Requirements that two parts of a scene cannot have differently, by key, each with who has it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Requirements {
+    exclusive: BTreeMap<&'static str, Required>,
+}
+
+/// One requirement.
+#[derive(Clone, Debug)]
+struct Required {
+    value: &'static str,
+    /// Who requires it, for messages.
+    by: String,
+    place: Place,
+}
+
+/// Choices of the keys that exclude one another.
+const EXCLUSIVE: [(&str, &[&str]); 5] = [
+    ("scanline", &["on", "off"]),
+    ("trace", &["on", "off"]),
+    ("shadow", &["on", "off", "sort", "segments"]),
+    ("face", &["front", "back", "both"]),
+    ("space", &["object", "camera", "mixed"]),
+];
+
+impl Requirements {
+    /// Adds a requirement; where it contradicts one that is there, the finding names both.
+    fn join(&mut self, reader: &mut Reader<'_>, key: &'static str, required: Required) {
+        let Some(there) = self.exclusive.get_mut(key) else {
+            self.exclusive.insert(key, required);
+            return;
+        };
+        if there.value == required.value {
+            return;
+        }
+        // Any shadows at all are also sorted ones, or segments.
+        let refines = |general: &str, special: &str| {
+            key == "shadow" && general == "on" && matches!(special, "sort" | "segments")
+        };
+        if refines(there.value, required.value) {
+            *there = required;
+        } else if !refines(required.value, there.value) {
+            let message = format!(
+                "{} requires `{key}` to be `{}`, but {} requires `{}`",
+                required.by, required.value, there.by, there.value
+            );
+            let help = format!("let both require the same `{key}`, or drop one of them");
+            let finding =
+                Finding::new(Code::CONFLICTING_REQUIREMENTS, required.place.clone(), message, help);
+            let related = format!("{} requires `{}` here", there.by, there.value);
+            reader.findings.push(finding.with_related(there.place.clone(), related));
+            // Whoever else requires the same makes no new mistake.
+            *there = required;
+        }
+    }
+}
+
+/// Reads `requires` and joins what nodes and nested phenomena require.
+pub(super) fn check<'d>(
+    reader: &mut Reader<'d>,
+    value: Option<&'d Value>,
+    draft: &Draft<'d>,
+) -> Requirements {
+    let mut requirements = Requirements::default();
+    if let Some(value) = value
+        && let Some(members) = reader.members(value, "`requires`")
+    {
+        for member in members {
+            read(reader, member, &mut requirements);
+        }
+    }
+    for node in &draft.nodes {
+        let Some(node_type) = node.node_type else { continue };
+        let name = shortened(&node.member.key);
+        if let Some(nested) = draft.nested.get(&node_type) {
+            let type_name = draft.library.signature(node_type).name;
+            for (key, inner) in &nested.requirements.exclusive {
+                let by = format!("node `{name}` ({type_name})");
+                let place = reader.document.place_of_key(node.member);
+                requirements.join(reader, key, Required { value: inner.value, by, place });
+            }
+        } else if let Kind::Request(effect) = draft.library.signature(node_type).kind
+            && casts_rays(effect)
+            && requirements.exclusive.get("trace").is_none_or(|it| it.value != "on")
+        {
+            let type_name = draft.library.signature(node_type).name;
+            let by = format!("node `{name}` ({type_name})");
+            let place = reader.document.place_of_key(node.member);
+            requirements.join(reader, "trace", Required { value: "on", by, place });
+        }
+    }
+    requirements
+}
+
+/// Whether an effect needs ray tracing. Light samples cast shadow rays only where shadows are on.
+fn casts_rays(effect: Effect) -> bool {
+    matches!(
+        effect,
+        Effect::TraceReflection
+            | Effect::TraceRefraction
+            | Effect::TraceTransparent
+            | Effect::TraceProbe
+    )
+}
+
+fn read<'d>(reader: &mut Reader<'d>, member: &'d Member, requirements: &mut Requirements) {
+    let value = &member.value;
+    let what = format!("`{}`", shortened(&member.key));
+    if let Some((key, choices)) = EXCLUSIVE.into_iter().find(|(key, _)| *key == member.key) {
+        let choices: Vec<(&str, &'static str)> = choices.iter().map(|it| (*it, *it)).collect();
+        if let Some(value) = reader.choice(value, &what, &choices) {
+            let place = reader.document.place(&member.value);
+            let by = "the phenomenon".into();
+            requirements.join(reader, key, Required { value, by, place });
+        }
+        return;
+    }
+    match member.key.as_str() {
+        "texture" | "bump" | "volume_level" => {
+            reader.integer(value, &what, 0..=1000);
+        }
+        "derivative" => {
+            for order in reader.list(value, &what).unwrap_or_default() {
+                reader.integer(order, "the order of a derivative", 1..=2);
+            }
+        }
+        "parallel" => {
+            reader.boolean(value, &what);
+        }
+        "apply" => {
+            let choices = ShaderType::ALL.map(|kind| (kind.name(), ()));
+            for kind in reader.list(value, &what).unwrap_or_default() {
+                reader.choice(kind, "a shader type", &choices);
+            }
+        }
+        _ => reader.unknown_key(member, "`requires`", &KEYS),
+    }
+}

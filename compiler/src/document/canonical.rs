@@ -1,0 +1,167 @@
+//! The canonical form of a file: the same values in the same order, laid out one way.
+
+use serde_json::Value as Json;
+
+use super::{Document, Value, ValueKind};
+
+/// Longest line a list or an object is kept on, in characters, its indentation included.
+const WIDTH: usize = 100;
+
+/// The document as text: two spaces a level, one member a line, but on one line what fits there
+/// (except the file itself, `interface`, `nodes` and their like one level below it). Numbers stay
+/// as written, strings are escaped only where they must be.
+pub fn canonical(document: &Document) -> String {
+    let mut text = String::new();
+    write(&mut text, &document.root, 0, 0);
+    text.push('\n');
+    text
+}
+
+/// Writes a value at a nesting depth; `before` characters stand on its line already.
+fn write(text: &mut String, value: &Value, depth: usize, before: usize) {
+    let keep_open = depth == 0 || (depth == 1 && matches!(value.kind, ValueKind::Object(_)));
+    if !keep_open || is_short(value) {
+        let mut line = String::new();
+        if write_line(&mut line, value, WIDTH.saturating_sub(before)) {
+            text.push_str(&line);
+            return;
+        }
+    }
+    let indentation = "  ".repeat(depth + 1);
+    let (open, close) =
+        if matches!(value.kind, ValueKind::Array(_)) { ('[', ']') } else { ('{', '}') };
+    let mut first = true;
+    let mut start = |text: &mut String| {
+        text.push_str(if std::mem::take(&mut first) { "\n" } else { ",\n" });
+        text.push_str(&indentation);
+    };
+    match &value.kind {
+        ValueKind::Array(elements) => {
+            text.push(open);
+            for element in elements {
+                start(text);
+                write(text, element, depth + 1, indentation.len() + 1);
+            }
+        }
+        ValueKind::Object(members) => {
+            text.push(open);
+            for member in members {
+                start(text);
+                let key = string(&member.key);
+                text.push_str(&key);
+                text.push_str(": ");
+                let before = indentation.len() + key.chars().count() + 3;
+                write(text, &member.value, depth + 1, before);
+            }
+        }
+        _ => {
+            // A leaf longer than a line is still one line.
+            write_line(text, value, usize::MAX);
+            return;
+        }
+    }
+    text.push('\n');
+    text.push_str(&"  ".repeat(depth));
+    text.push(close);
+}
+
+/// Whether a value that is kept open elsewhere may stand on one line: it is empty, or one leaf or
+/// connection.
+fn is_short(value: &Value) -> bool {
+    match &value.kind {
+        ValueKind::Object(members) => {
+            members.is_empty()
+                || members.len() == 1
+                    && members[0]
+                        .value
+                        .members()
+                        .iter()
+                        .all(|inner| inner.value.members().is_empty())
+        }
+        ValueKind::Array(elements) => elements.is_empty(),
+        _ => true,
+    }
+}
+
+/// Writes a value on one line; false, and something unfinished, where it is longer than `room`.
+fn write_line(line: &mut String, value: &Value, room: usize) -> bool {
+    match &value.kind {
+        ValueKind::Null => line.push_str("null"),
+        ValueKind::Boolean(value) => line.push_str(if *value { "true" } else { "false" }),
+        ValueKind::Number(number) => line.push_str(number),
+        ValueKind::String(value) => line.push_str(&string(value)),
+        ValueKind::Array(elements) => {
+            line.push('[');
+            for (at, element) in elements.iter().enumerate() {
+                if at > 0 {
+                    line.push_str(", ");
+                }
+                if !write_line(line, element, room) {
+                    return false;
+                }
+            }
+            line.push(']');
+        }
+        ValueKind::Object(members) => {
+            line.push_str(if members.is_empty() { "{" } else { "{ " });
+            for (at, member) in members.iter().enumerate() {
+                if at > 0 {
+                    line.push_str(", ");
+                }
+                line.push_str(&string(&member.key));
+                line.push_str(": ");
+                if !write_line(line, &member.value, room) {
+                    return false;
+                }
+            }
+            line.push_str(if members.is_empty() { "}" } else { " }" });
+        }
+    }
+    // Bytes first: characters are counted only where the bytes do not settle it.
+    line.len() <= room || line.chars().count() <= room
+}
+
+fn string(value: &str) -> String {
+    Json::from(value).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::read;
+    use super::*;
+
+    fn format(text: &str) -> String {
+        canonical(&read("a", text.as_bytes()).unwrap())
+    }
+
+    #[test]
+    fn keeps_order_numbers_and_strings() {
+        let text =
+            "{\"b\":1.50e+2,\"a\":[ ],\"doc\":\"é\\u00e9\\n\\u0001\",\"editor\":{\"x\":-0.0}}";
+        assert_eq!(
+            format(text),
+            "{\n  \"b\": 1.50e+2,\n  \"a\": [],\n  \"doc\": \"éé\\n\\u0001\",\n  \"editor\": { \"x\": -0.0 }\n}\n"
+        );
+    }
+
+    #[test]
+    fn formatting_twice_changes_nothing_and_values_stay() {
+        let long = format!(
+            "{{\"nodes\":{{\"n\":{{\"type\":\"mix\",\"inputs\":{{\"a\":[{}]}}}},\"m\":{{}}}}}}",
+            ["0.25"; 60].join(",")
+        );
+        for text in [
+            long.as_str(),
+            "[]",
+            "1",
+            "[[1,[2,{\"a\":{\"b\":[]}}]],\"x\"]",
+            "{\"roots\":{\"material\":{\"node\":\"n\"}}}",
+        ] {
+            let once = format(text);
+            assert_eq!(format(&once), once);
+            let plain = |text: &str| serde_json::from_str::<Json>(text).unwrap();
+            assert_eq!(plain(&once), plain(text));
+            assert!(once.lines().all(|line| line.chars().count() <= WIDTH), "{once}");
+        }
+    }
+}

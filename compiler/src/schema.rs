@@ -1,0 +1,236 @@
+//! The JSON Schema of graph files, made from the list of nodes: editors complete node types,
+//! inputs and enumerations from it, with their docs.
+
+use serde_json::{Map, Value, json};
+
+use crate::check::ShaderType;
+use crate::nodes::{Default, Input, NodeLibrary, Signature, Type};
+
+/// The schema as JSON text (draft 7, which editors know best).
+pub fn graph_schema(library: &NodeLibrary) -> String {
+    let mut definitions = sources();
+    definitions
+        .insert("name".into(), json!({ "type": "string", "pattern": NAME, "maxLength": 256 }));
+    definitions.insert("parameter".into(), parameter());
+    definitions.insert("requires".into(), requires());
+    definitions.insert("root".into(), root());
+    definitions.insert("node".into(), node(library));
+    let schema = json!({
+        "$schema": "http://json-schema.org/draft-07/schema#",
+        "title": "phenomenon graph, version 1",
+        "type": "object",
+        "required": ["phenomenon", "roots"],
+        "additionalProperties": false,
+        "properties": {
+            "$schema": { "type": "string" },
+            "phenomenon": described("#/definitions/name", "Name of the phenomenon."),
+            "version": { "type": "integer", "minimum": 0, "maximum": i32::MAX, "description": "Version of the phenomenon; 0 where none is given." },
+            "doc": { "type": "string", "description": "What it is." },
+            "requires": described("#/definitions/requires", "What the renderer must do for it."),
+            "interface": {
+                "type": "object",
+                "description": "Its parameters, by name.",
+                "propertyNames": { "$ref": "#/definitions/name" },
+                "additionalProperties": { "$ref": "#/definitions/parameter" },
+            },
+            "nodes": {
+                "type": "object",
+                "description": "Its nodes, by name.",
+                "propertyNames": { "$ref": "#/definitions/name" },
+                "additionalProperties": { "$ref": "#/definitions/node" },
+            },
+            "roots": {
+                "type": "object",
+                "description": "What it is called for.",
+                "minProperties": 1,
+                "additionalProperties": false,
+                "properties": ShaderType::ALL.iter().map(|kind| (kind.name().to_owned(), json!({ "$ref": "#/definitions/root" }))).collect::<Map<String, Value>>(),
+            },
+            "editor": { "description": "Whatever editors keep here; it changes nothing." },
+        },
+        "definitions": definitions,
+    });
+    format!("{schema:#}\n")
+}
+
+/// Names of phenomena, parameters and nodes: letters and digits of any script, `_` and `-`.
+const NAME: &str =
+    "^[^\\s\\u0000-\\u002c\\u002e-\\u002f\\u003a-\\u0040\\u005b-\\u005e\\u0060\\u007b-\\u007f]+$";
+
+fn described(reference: &str, description: &str) -> Value {
+    json!({ "allOf": [{ "$ref": reference }], "description": description })
+}
+
+fn object(required: &[&str], properties: Value) -> Value {
+    json!({
+        "type": "object",
+        "required": required,
+        "additionalProperties": false,
+        "properties": properties,
+    })
+}
+
+/// What an input of each type may be given.
+fn sources() -> Map<String, Value> {
+    let connection = json!({ "anyOf": [
+        object(&["node"], json!({ "node": { "type": "string" }, "output": { "type": "string" } })),
+        object(&["interface"], json!({ "interface": { "type": "string" } })),
+    ] });
+    let number = json!({ "type": "number", "minimum": -f64::from(f32::MAX), "maximum": f64::from(f32::MAX) });
+    let list = |least: usize, most: usize| json!({ "type": "array", "items": { "$ref": "#/definitions/number" }, "minItems": least, "maxItems": most });
+    let integer = json!({ "type": "integer", "minimum": i32::MIN, "maximum": i32::MAX });
+    let reference = json!({ "$ref": "#/definitions/number" });
+    let lights = json!({ "type": "array", "items": object(&["light"], json!({ "light": { "type": "string" } })) });
+    let mut definitions = Map::new();
+    for (name, literal) in [
+        ("boolean", vec![json!({ "type": "boolean" })]),
+        ("integer", vec![integer]),
+        ("scalar", vec![reference.clone()]),
+        ("color", vec![reference.clone(), list(3, 4)]),
+        ("vector", vec![list(3, 3)]),
+        ("generic", vec![reference, list(3, 4)]),
+        ("lights", vec![lights]),
+    ] {
+        definitions.insert(format!("{name}_literal"), json!({ "anyOf": literal }));
+        let own = json!({ "$ref": format!("#/definitions/{name}_literal") });
+        let source = json!({ "anyOf": [own, { "$ref": "#/definitions/connection" }] });
+        definitions.insert(name.into(), source);
+    }
+    definitions.insert("number".into(), number);
+    definitions.insert("connection".into(), connection);
+    definitions
+}
+
+fn source_name(value_type: Type) -> &'static str {
+    match value_type {
+        Type::Generic => "generic",
+        other => other.name(),
+    }
+}
+
+fn parameter() -> Value {
+    let number = json!({ "$ref": "#/definitions/number" });
+    let text = json!({ "type": "string" });
+    let mut ordered = json!({
+        "type": {}, "default": {}, "min": number, "max": number, "soft_min": number,
+        "soft_max": number, "unit": text, "doc": text, "editor": {},
+    });
+    let mut choices = Vec::new();
+    for value_type in
+        [Type::Scalar, Type::Integer, Type::Color, Type::Vector, Type::Boolean, Type::Lights]
+    {
+        let name = value_type.name();
+        let literal = json!({ "$ref": format!("#/definitions/{name}_literal") });
+        let plain = matches!(value_type, Type::Boolean | Type::Lights);
+        let mut properties = if plain {
+            json!({ "type": {}, "default": {}, "doc": text, "editor": {} })
+        } else {
+            ordered.clone()
+        };
+        properties["type"] = json!({ "const": name });
+        properties["default"] = literal.clone();
+        if value_type == Type::Integer {
+            properties["default"] = json!({ "anyOf": [literal, { "type": "string" }] });
+            properties["values"] = json!({ "type": "array", "items": text, "minItems": 1, "uniqueItems": true, "description": "Names of 0, 1, 2 …" });
+        }
+        let required: &[&str] =
+            if value_type == Type::Lights { &["type"] } else { &["type", "default"] };
+        choices.push(json!({
+            "if": { "properties": { "type": { "const": name } }, "required": ["type"] },
+            "then": object(required, properties),
+        }));
+    }
+    ordered["type"] =
+        json!({ "enum": ["scalar", "integer", "boolean", "color", "vector", "lights"] });
+    json!({ "type": "object", "required": ["type"], "properties": { "type": ordered["type"] }, "allOf": choices })
+}
+
+/// The requirements of mental ray's grammar.
+fn requires() -> Value {
+    let switch = json!({ "enum": ["on", "off"] });
+    let count = json!({ "type": "integer", "minimum": 0, "maximum": 1000 });
+    let properties = json!({
+        "scanline": switch,
+        "trace": switch,
+        "shadow": { "enum": ["on", "off", "sort", "segments"] },
+        "face": { "enum": ["front", "back", "both"] },
+        "space": { "enum": ["object", "camera", "mixed"] },
+        "texture": count,
+        "bump": count,
+        "volume_level": count,
+        "derivative": { "type": "array", "items": { "enum": [1, 2] }, "minItems": 1, "uniqueItems": true },
+        "parallel": { "type": "boolean" },
+        "apply": { "type": "array", "items": { "type": "string" }, "minItems": 1, "uniqueItems": true },
+    });
+    object(&[], properties)
+}
+
+fn root() -> Value {
+    json!({ "anyOf": [
+        { "$ref": "#/definitions/color" },
+        object(&["color"], json!({
+            "color": { "$ref": "#/definitions/color" },
+            "ok": { "$ref": "#/definitions/boolean" },
+        })),
+    ] })
+}
+
+fn node(library: &NodeLibrary) -> Value {
+    let mut names = Vec::new();
+    let mut docs = Vec::new();
+    let mut choices = Vec::new();
+    for (_, definition) in library.iter() {
+        let signature = &definition.signature;
+        names.push(signature.name);
+        docs.push(signature.doc.as_str());
+        let inputs: Map<String, Value> = signature
+            .inputs
+            .iter()
+            .map(|input| (input.name.to_owned(), input_schema(input)))
+            .collect();
+        let required = required_inputs(signature);
+        let mut of_type =
+            json!({ "properties": { "inputs": object(&required, Value::Object(inputs)) } });
+        if !required.is_empty() {
+            of_type["required"] = json!(["inputs"]);
+        }
+        choices.push(json!({
+            "if": { "properties": { "type": { "const": signature.name } }, "required": ["type"] },
+            "then": of_type,
+        }));
+    }
+    let mut node = object(
+        &["type"],
+        json!({
+            "type": {
+                "anyOf": [
+                    { "enum": names, "enumDescriptions": docs },
+                    object(&["file"], json!({ "file": { "type": "string", "minLength": 1 } })),
+                ],
+            },
+            "version": { "type": "integer", "minimum": 0, "maximum": i32::MAX },
+            "doc": { "type": "string" },
+            "inputs": { "type": "object" },
+            "editor": {},
+        }),
+    );
+    node["allOf"] = Value::Array(choices);
+    node
+}
+
+fn required_inputs(signature: &Signature) -> Vec<&'static str> {
+    let required =
+        signature.inputs.iter().filter(|input| matches!(input.default, Default::Required));
+    required.map(|input| input.name).collect()
+}
+
+fn input_schema(input: &Input) -> Value {
+    let reference = format!("#/definitions/{}", source_name(input.value_type));
+    let default = match &input.default {
+        Default::Required => String::new(),
+        Default::Literal(_) => " Has a default.".into(),
+        Default::State(field) => format!(" By default the state's {}.", field.name()),
+        Default::Node(name) => format!(" By default what `{name}` yields."),
+    };
+    described(&reference, &format!("{}{default}", input.doc))
+}

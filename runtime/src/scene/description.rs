@@ -1,0 +1,207 @@
+//! A scene as its file describes it, before its materials are compiled.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use phenomenon_compiler::diagnostics::Place;
+use phenomenon_compiler::engine::Shade;
+
+use super::build::{Scene, SceneBuilder, SceneError};
+use super::depth::TraceDepth;
+use crate::camera::Camera;
+use crate::geometry::{Mesh, Transform};
+use crate::lights::{Environment, Light};
+
+/// A scene as its file describes it.
+#[derive(Clone)]
+pub struct SceneDescription {
+    /// Its name.
+    pub name: String,
+    /// The camera.
+    pub camera: Camera,
+    /// The objects, in file order.
+    pub objects: Vec<ObjectDescription>,
+    /// The lights, in file order.
+    pub lights: Vec<Light>,
+    /// What rays see that leave the scene.
+    pub environment: Option<EnvironmentDescription>,
+    /// How it is rendered unless the command line says otherwise.
+    pub options: SceneOptions,
+}
+
+/// How a scene is rendered unless the command line says otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SceneOptions {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// Samples of a pixel.
+    pub samples: u32,
+    /// How deep rays are traced.
+    pub depth: TraceDepth,
+    /// Seed of all random numbers.
+    pub seed: u64,
+}
+
+impl Default for SceneOptions {
+    fn default() -> Self {
+        Self { width: 512, height: 512, samples: 16, depth: TraceDepth::default(), seed: 0 }
+    }
+}
+
+/// An object.
+#[derive(Clone, Debug)]
+pub struct ObjectDescription {
+    /// Its name, or what it is.
+    pub name: String,
+    /// Its shape.
+    pub shape: ShapeDescription,
+    /// Where it stands.
+    pub transform: Transform,
+    /// What it is made of.
+    pub material: MaterialRef,
+}
+
+/// The shape of an object.
+#[derive(Clone, Debug)]
+pub enum ShapeDescription {
+    /// A sphere.
+    Sphere {
+        /// Its centre.
+        center: [f64; 3],
+        /// Its radius.
+        radius: f64,
+    },
+    /// A mesh.
+    Mesh(Arc<Mesh>),
+}
+
+/// Which graph shades something.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MaterialRef {
+    /// The graph.
+    pub source: MaterialSource,
+    /// Parameters it is given, in file order.
+    pub set: Vec<Override>,
+    /// Where the scene says so.
+    pub place: Place,
+}
+
+/// Where a material's graph comes from.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum MaterialSource {
+    /// The graph being looked at: `{"subject": true}`.
+    Subject,
+    /// A graph file; its path starts at the scene's folder.
+    File(PathBuf),
+}
+
+/// A parameter and its value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Override {
+    /// The parameter.
+    pub name: String,
+    /// The value, written as for `--set`: numbers of a list joined by commas.
+    pub text: String,
+    /// Where the scene says so.
+    pub place: Place,
+}
+
+/// What rays see that leave a scene.
+#[derive(Clone)]
+pub enum EnvironmentDescription {
+    /// Something built in.
+    BuiltIn(Environment),
+    /// A graph with an environment root.
+    Shader(MaterialRef),
+}
+
+/// Why no scene could be built.
+#[derive(Debug, thiserror::Error)]
+pub enum BuildError<E> {
+    /// A material could not be had.
+    #[error("a material cannot be used")]
+    Material(E),
+    /// An object is not usable.
+    #[error("object `{object}`: {source}")]
+    Object {
+        /// Its name.
+        object: String,
+        /// What is wrong.
+        source: SceneError,
+    },
+    /// All of it together is not usable.
+    #[error(transparent)]
+    Scene(SceneError),
+}
+
+impl SceneDescription {
+    /// Whether an object is made of the graph being looked at.
+    pub fn has_subject(&self) -> bool {
+        self.materials().any(|material| material.source == MaterialSource::Subject)
+    }
+
+    /// Every reference to a graph, the environment's last.
+    pub fn materials(&self) -> impl Iterator<Item = &MaterialRef> {
+        let environment = match &self.environment {
+            Some(EnvironmentDescription::Shader(material)) => Some(material),
+            _ => None,
+        };
+        self.objects.iter().map(|object| &object.material).chain(environment)
+    }
+
+    /// Builds the scene; `resolve` makes shaders of its materials, once for each that differs.
+    pub fn build<E>(
+        &self,
+        mut resolve: impl FnMut(&MaterialRef) -> Result<Arc<dyn Shade>, E>,
+    ) -> Result<Scene, BuildError<E>> {
+        let mut builder = SceneBuilder::new(self.camera);
+        builder.depth(self.options.depth);
+        let mut known: Vec<(&MaterialRef, u32)> = Vec::new();
+        for object in &self.objects {
+            let same = |(other, _): &&(&MaterialRef, u32)| equal(other, &object.material);
+            let material = match known.iter().find(same) {
+                Some((_, material)) => *material,
+                None => {
+                    let shader = resolve(&object.material).map_err(BuildError::Material)?;
+                    let material = builder.material(shader);
+                    known.push((&object.material, material));
+                    material
+                }
+            };
+            let transform = &object.transform;
+            let added = match &object.shape {
+                ShapeDescription::Sphere { center, radius } => {
+                    builder.sphere(*center, *radius, transform, material)
+                }
+                ShapeDescription::Mesh(mesh) => builder.mesh(mesh, transform, material),
+            };
+            if let Err(source) = added {
+                return Err(BuildError::Object { object: object.name.clone(), source });
+            }
+        }
+        for light in &self.lights {
+            builder.light(light.clone());
+        }
+        match &self.environment {
+            None => {}
+            Some(EnvironmentDescription::BuiltIn(environment)) => {
+                builder.environment(environment.clone());
+            }
+            Some(EnvironmentDescription::Shader(material)) => {
+                let shader = resolve(material).map_err(BuildError::Material)?;
+                builder.environment(Environment::Shader(shader));
+            }
+        }
+        builder.build().map_err(BuildError::Scene)
+    }
+}
+
+/// Whether two references give the same shader, wherever they stand.
+fn equal(a: &MaterialRef, b: &MaterialRef) -> bool {
+    let values = |material: &MaterialRef| -> Vec<(String, String)> {
+        material.set.iter().map(|set| (set.name.clone(), set.text.clone())).collect()
+    };
+    a.source == b.source && values(a) == values(b)
+}

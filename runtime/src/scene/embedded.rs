@@ -1,0 +1,18 @@
+//! The scene a graph is shown in, built into the program.
+
+use std::path::Path;
+
+use super::file::{SceneFile, read_scene};
+
+const SCENE: &str = include_str!("../../../scenes/default.json");
+const FLOOR: &str = include_str!("../../../graphs/floor/checker_floor.json");
+
+/// The scene a graph is shown in: the graph's material on a sphere over a chequered floor.
+pub fn default_scene() -> SceneFile {
+    read_scene("scenes/default.json", SCENE.as_bytes(), Path::new("scenes"))
+}
+
+/// The text of a graph file that [`default_scene`] names; none for other files.
+pub fn embedded_file(path: &Path) -> Option<&'static str> {
+    (path == Path::new("scenes/../graphs/floor/checker_floor.json")).then_some(FLOOR)
+}

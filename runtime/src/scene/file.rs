@@ -1,0 +1,170 @@
+//! Scene files.
+
+use std::path::Path;
+
+use phenomenon_compiler::diagnostics::{Code, Finding};
+use phenomenon_compiler::document::{Document, Object, Reader, Value, ValueKind, read, read_file};
+
+use super::depth::{DEPTH_LIMIT, TraceDepth};
+use super::description::{SceneDescription, SceneOptions};
+use super::{objects, surroundings};
+use crate::film::{PIXEL_LIMIT, SIDE_LIMIT};
+use crate::render::SAMPLE_LIMIT;
+
+const KEYS: [&str; 10] = [
+    "$schema",
+    "scene",
+    "version",
+    "doc",
+    "camera",
+    "objects",
+    "lights",
+    "environment",
+    "options",
+    "editor",
+];
+
+/// What reading a scene yields.
+#[derive(Clone, Default)]
+pub struct SceneFile {
+    /// The scene; none when a finding is an error.
+    pub scene: Option<SceneDescription>,
+    /// What was found, in file order.
+    pub findings: Vec<Finding>,
+}
+
+/// Whether a document is meant as a scene: it has the key `scene`, and not `phenomenon`.
+pub fn is_scene(document: &Document) -> bool {
+    document.root.get("scene").is_some() && document.root.get("phenomenon").is_none()
+}
+
+/// Reads a scene file with its meshes and pictures. All its mistakes are found in one run.
+pub fn read_scene_file(path: &Path) -> SceneFile {
+    match read_file(path) {
+        Ok(document) => check_scene(&document, path.parent().unwrap_or(Path::new(""))),
+        Err(finding) => SceneFile { scene: None, findings: vec![*finding] },
+    }
+}
+
+/// Reads a scene from bytes; `name` is how findings call it, and `folder` is where the files it
+/// names are looked for.
+pub fn read_scene(name: &str, bytes: &[u8], folder: &Path) -> SceneFile {
+    match read(name, bytes) {
+        Ok(document) => check_scene(&document, folder),
+        Err(finding) => SceneFile { scene: None, findings: vec![*finding] },
+    }
+}
+
+fn check_scene(document: &Document, folder: &Path) -> SceneFile {
+    let mut reader = Reader::new(document);
+    let scene = scene(&mut reader, folder);
+    let scene = if reader.findings.has_errors() { None } else { scene };
+    SceneFile { scene, findings: reader.findings.into_sorted() }
+}
+
+fn scene(reader: &mut Reader<'_>, folder: &Path) -> Option<SceneDescription> {
+    let document = reader.document;
+    let root = &document.root;
+    if matches!(root.kind, ValueKind::Object(_)) && root.get("scene").is_none() {
+        let help = match root.get("phenomenon") {
+            Some(_) => "this file is a graph",
+            None => "name it: add `\"scene\": \"…\"`",
+        };
+        let place = document.place_of_bytes(root.start, root.start + 1);
+        reader.findings.push(Finding::new(Code::NOT_A_SCENE, place, "this file is no scene", help));
+        return None;
+    }
+    let object = reader.object(root, "a scene", &KEYS)?;
+    let name = object.required(reader, "scene").and_then(|value| reader.string(value, "`scene`"));
+    if let Some(value) = object.optional("version") {
+        reader.integer(value, "`version`", 1..=1);
+    }
+    if let Some(value) = object.optional("doc") {
+        reader.string(value, "`doc`");
+    }
+    let camera =
+        object.required(reader, "camera").and_then(|value| surroundings::camera(reader, value));
+    let objects = object
+        .required(reader, "objects")
+        .and_then(|value| objects::objects(reader, value, folder));
+    let lights = match object.optional("lights") {
+        Some(value) => surroundings::lights(reader, value),
+        None => Some(Vec::new()),
+    };
+    let environment = object
+        .optional("environment")
+        .map(|value| surroundings::environment(reader, value, folder));
+    let options = match object.optional("options") {
+        Some(value) => options(reader, value),
+        None => Some(SceneOptions::default()),
+    };
+    Some(SceneDescription {
+        name: name?.to_owned(),
+        camera: camera?,
+        objects: objects?,
+        lights: lights?,
+        environment: match environment {
+            Some(environment) => Some(environment?),
+            None => None,
+        },
+        options: options?,
+    })
+}
+
+fn options<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<SceneOptions> {
+    let object = reader.object(value, "`options`", &["size", "samples", "trace_depth", "seed"])?;
+    let mut options = SceneOptions::default();
+    if let Some(value) = object.optional("size") {
+        let [width, height] = reader.numbers(value, "`size`", 1.0..=f64::from(SIDE_LIMIT))?;
+        if width.fract() != 0.0 || height.fract() != 0.0 {
+            reader.wrong_kind(value, "`size`", "a list of two whole numbers");
+        }
+        if width * height > PIXEL_LIMIT as f64 {
+            let message = format!("a picture of {width} x {height} pixels is too large");
+            let help = format!("at most {PIXEL_LIMIT} pixels are possible");
+            reader.report(Code::NUMBER_OUT_OF_RANGE, value, message, help);
+        }
+        (options.width, options.height) = (width as u32, height as u32);
+    }
+    if let Some(value) = object.optional("samples") {
+        options.samples = reader.integer(value, "`samples`", 1..=i64::from(SAMPLE_LIMIT))? as u32;
+    }
+    if let Some(value) = object.optional("seed") {
+        options.seed = reader.integer(value, "`seed`", 0..=(1 << 53))? as u64;
+    }
+    if let Some(value) = object.optional("trace_depth") {
+        options.depth = trace_depth(reader, value)?;
+    }
+    Some(options)
+}
+
+/// One number, or a list of one to three.
+fn trace_depth<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<TraceDepth> {
+    let values = match &value.kind {
+        ValueKind::Array(values) if (1..=3).contains(&values.len()) => values.as_slice(),
+        ValueKind::Array(_) => {
+            reader.wrong_kind(value, "`trace_depth`", "one to three whole numbers");
+            return None;
+        }
+        _ => std::slice::from_ref(value),
+    };
+    let mut numbers = Vec::with_capacity(3);
+    for (at, value) in values.iter().enumerate() {
+        let limit = if at == 2 { 2 * DEPTH_LIMIT } else { DEPTH_LIMIT };
+        numbers.push(reader.integer(value, "`trace_depth`", 0..=i64::from(limit))? as i32);
+    }
+    TraceDepth::from_numbers(&numbers)
+}
+
+/// A point, direction or the like.
+pub(super) fn vector<'d>(
+    reader: &mut Reader<'d>,
+    object: &Object<'d>,
+    key: &str,
+) -> Option<[f64; 3]> {
+    let value = object.required(reader, key)?;
+    reader.numbers(value, &format!("`{key}` of {}", object.what), COORDINATES)
+}
+
+/// What coordinates may be.
+pub(super) const COORDINATES: std::ops::RangeInclusive<f64> = -1e12..=1e12;

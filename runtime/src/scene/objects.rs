@@ -1,0 +1,227 @@
+//! The objects of a scene file, with their transforms and materials.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use phenomenon_compiler::diagnostics::Code;
+use phenomenon_compiler::document::{Object, Reader, Value, ValueKind};
+
+use super::description::{
+    MaterialRef, MaterialSource, ObjectDescription, Override, ShapeDescription,
+};
+use super::file::{COORDINATES, vector};
+use crate::geometry::{Mesh, Normals, ObjError, Transform, read_obj};
+
+/// What lengths may be.
+const LENGTHS: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
+
+pub(super) fn objects<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    folder: &Path,
+) -> Option<Vec<ObjectDescription>> {
+    let elements = reader.list(value, "`objects`")?;
+    // Every object is read, so that every mistake is found.
+    let objects: Vec<_> = elements.iter().map(|value| object(reader, value, folder)).collect();
+    objects.into_iter().collect()
+}
+
+fn object<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    folder: &Path,
+) -> Option<ObjectDescription> {
+    let keys = ["name", "doc", "sphere", "mesh", "rectangle", "normals", "transform", "material"];
+    let object = reader.object(value, "an object", &keys)?;
+    let name = object.optional("name").map(|name| reader.string(name, "`name`"));
+    if let Some(value) = object.optional("doc") {
+        reader.string(value, "`doc`");
+    }
+    let shape = shape(reader, &object, folder);
+    let transform = match object.optional("transform") {
+        Some(value) => transform(reader, value),
+        None => Some(Transform::default()),
+    };
+    let material = object
+        .required(reader, "material")
+        .and_then(|value| material(reader, value, "a material", folder));
+    let (kind, shape) = shape?;
+    let transform = transform?;
+    if let (ShapeDescription::Sphere { .. }, None) = (&shape, transform.uniform_scale()) {
+        let place = object.optional("transform").unwrap_or(value);
+        let message = "a sphere can be scaled only by the same factor in every direction";
+        reader.report(Code::UNUSABLE_OBJECT, place, message, "give `scale` one number");
+        return None;
+    }
+    let name = name.map_or(Some(kind), |name| name)?.to_owned();
+    Some(ObjectDescription { name, shape, transform, material: material? })
+}
+
+fn shape<'d>(
+    reader: &mut Reader<'d>,
+    object: &Object<'d>,
+    folder: &Path,
+) -> Option<(&'static str, ShapeDescription)> {
+    let flat = [("smooth", Normals::Smooth), ("flat", Normals::Flat)];
+    let normals = match object.optional("normals") {
+        Some(value) => reader.choice(value, "`normals`", &flat),
+        None => Some(Normals::Smooth),
+    };
+    let shapes = ["sphere", "mesh", "rectangle"];
+    let given: Vec<_> = shapes
+        .into_iter()
+        .filter_map(|key| object.optional(key).map(|value| (key, value)))
+        .collect();
+    let [(kind, value)] = given[..] else {
+        let message = "an object has exactly one shape: `sphere`, `mesh` or `rectangle`";
+        reader.report(Code::UNUSABLE_OBJECT, object.value, message, "give one of the three keys");
+        return None;
+    };
+    let shape = match kind {
+        "sphere" => {
+            let object = reader.object(value, "a sphere", &["center", "radius"])?;
+            let center = match object.optional("center") {
+                Some(_) => vector(reader, &object, "center"),
+                None => Some([0.0; 3]),
+            };
+            let radius = object
+                .required(reader, "radius")
+                .and_then(|value| reader.number(value, "`radius` of a sphere", LENGTHS));
+            ShapeDescription::Sphere { center: center?, radius: radius? }
+        }
+        "mesh" => ShapeDescription::Mesh(Arc::new(mesh(reader, value, normals?, folder)?)),
+        _ => {
+            let object = reader.object(value, "a rectangle", &["width", "depth"])?;
+            let mut side = |key: &str| {
+                let value = object.required(reader, key)?;
+                reader.number(value, &format!("`{key}` of a rectangle"), LENGTHS)
+            };
+            let (width, depth) = (side("width"), side("depth"));
+            ShapeDescription::Mesh(Arc::new(Mesh::rectangle(width? as f32, depth? as f32)))
+        }
+    };
+    Some((kind, shape))
+}
+
+fn mesh<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    normals: Normals,
+    folder: &Path,
+) -> Option<Mesh> {
+    let path = file_path(reader, value, "`mesh`", folder)?;
+    match read_obj(&path, normals) {
+        Ok(mesh) => Some(mesh),
+        Err(error) => {
+            let code = match error {
+                ObjError::Unreadable { .. } => Code::UNREADABLE_FILE,
+                ObjError::TooLarge { .. } => Code::FILE_TOO_LARGE,
+                ObjError::Malformed { .. } | ObjError::BadMesh { .. } => Code::UNUSABLE_FILE,
+            };
+            let help = "give an OBJ file; its path starts at the scene's folder";
+            reader.report(code, value, error.to_string(), help);
+            None
+        }
+    }
+}
+
+/// `scale`, `rotate` and `translate`, applied in this order, or the three rows of a `matrix`.
+fn transform<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Transform> {
+    let keys = ["scale", "rotate", "translate", "matrix"];
+    let object = reader.object(value, "a transform", &keys)?;
+    let transform = match object.optional("matrix") {
+        Some(matrix) => {
+            let numbers: [f64; 12] =
+                reader.numbers(matrix, "`matrix` (three rows of four)", COORDINATES)?;
+            let row = |at: usize| [0, 1, 2, 3].map(|column| numbers[at * 4 + column]);
+            Transform::from_rows([row(0), row(1), row(2)])
+        }
+        None => {
+            let scale = match object.optional("scale") {
+                Some(value) if matches!(value.kind, ValueKind::Array(_)) => {
+                    reader.numbers(value, "`scale`", COORDINATES)
+                }
+                Some(value) => reader.number(value, "`scale`", COORDINATES).map(|x| [x; 3]),
+                None => Some([1.0; 3]),
+            };
+            let mut optional = |key: &str| match object.optional(key) {
+                Some(value) => reader.numbers(value, &format!("`{key}`"), COORDINATES),
+                None => Some([0.0; 3]),
+            };
+            let (rotate, translate) = (optional("rotate"), optional("translate"));
+            Transform::new(scale?, rotate?, translate?)
+        }
+    };
+    if transform.is_regular() {
+        return Some(transform);
+    }
+    let message = "this transform flattens the object";
+    reader.report(Code::UNUSABLE_OBJECT, value, message, "scale by factors other than 0");
+    None
+}
+
+/// `{"subject": true}`, or `{"file": "graph.json", "set": {…}}`.
+pub(super) fn material<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    what: &str,
+    folder: &Path,
+) -> Option<MaterialRef> {
+    let object = match what {
+        "a material" => reader.object(value, what, &["subject", "file", "set"])?,
+        _ => Object::unchecked(reader, value, what)?,
+    };
+    let subject = object.optional("subject").map(|value| reader.boolean(value, "`subject`"));
+    let source = match (subject, object.optional("file")) {
+        (Some(subject), None) => subject?.then_some(MaterialSource::Subject),
+        (None, Some(file)) => {
+            file_path(reader, file, "`file` of a material", folder).map(MaterialSource::File)
+        }
+        _ => None,
+    };
+    if source.is_none() && object.optional("file").is_none() {
+        let message = format!("{what} is either a `file` or the `subject`");
+        let help = "write {\"file\": \"graph.json\"} or {\"subject\": true}";
+        reader.report(Code::UNUSABLE_OBJECT, value, message, help);
+    }
+    let mut set = Vec::new();
+    if let Some(value) = object.optional("set") {
+        for member in reader.members(value, "`set`")? {
+            let Some(text) = setting(&member.value) else {
+                let expected = "a number, a word, true, false, or a list of these";
+                reader.wrong_kind(&member.value, &format!("`{}`", member.key), expected);
+                continue;
+            };
+            let place = reader.document.place(&member.value);
+            set.push(Override { name: member.key.clone(), text, place });
+        }
+    }
+    Some(MaterialRef { source: source?, set, place: reader.document.place(value) })
+}
+
+/// A value as `--set` takes it.
+fn setting(value: &Value) -> Option<String> {
+    match &value.kind {
+        ValueKind::Boolean(value) => Some(value.to_string()),
+        ValueKind::Number(text) | ValueKind::String(text) => Some(text.clone()),
+        ValueKind::Array(values) => {
+            let flat = |value: &Value| !matches!(value.kind, ValueKind::Array(_));
+            let texts: Option<Vec<String>> = values
+                .iter()
+                .map(|value| if flat(value) { setting(value) } else { None })
+                .collect();
+            texts.map(|texts| texts.join(","))
+        }
+        ValueKind::Null | ValueKind::Object(_) => None,
+    }
+}
+
+/// A path, which starts at the scene's folder.
+pub(super) fn file_path<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    what: &str,
+    folder: &Path,
+) -> Option<PathBuf> {
+    reader.string(value, what).map(|path| folder.join(path))
+}

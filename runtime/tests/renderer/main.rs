@@ -1,0 +1,10 @@
+//! Tests of the renderer with shaders written by hand.
+
+mod answers;
+mod invariance;
+mod lighting;
+mod scene_files;
+mod shaders;
+mod surfaces;
+mod tree;
+mod watertight;
