@@ -9,6 +9,7 @@ use crate::graph::{Graph, Root};
 use crate::nodes::{Code, Kind, Literal, NodeLibrary, Type};
 use crate::state::{Field, RayType};
 
+use super::epochs::path_key;
 use super::reads::{LIGHT_LOOP_READS, light_fields, reads};
 use super::views::{Resolved, Views, inconsistent};
 use super::{
@@ -335,7 +336,7 @@ impl Builder<'_> {
             let node = name.to_owned();
             return Err(SpecialiseError::TooManyInstances { limit: MAX_INSTANCES, node });
         }
-        let name = format!("{}{name}", self.result.epochs.0[epoch].path);
+        let name = format!("{}{name}", self.result.epochs.path(epoch));
         let output = self.slots(outputs);
         self.result.instances.push(Instance { name, kind, epoch, demands, words, output, outputs });
         Ok(self.result.instances.len() - 1)
@@ -476,9 +477,9 @@ impl Builder<'_> {
         let Frame { key: (view, epoch), words, mut demands, .. } = frame;
         let context = self.context(epoch, effect.reads(), &mut demands);
         let table = (effect == Effect::LightColor).then(|| self.table(epoch)).flatten();
-        let path = format!("{}{name}", self.result.epochs.0[epoch].path);
+        let key = path_key(self.result.epochs.0[epoch].path_key, name);
         let loops = self.result.epochs.0[epoch].loops.clone();
-        let kind = InstanceKind::Request { effect, context, site: site(&path), loops, table };
+        let kind = InstanceKind::Request { effect, context, site: mix_key(key), loops, table };
         let outputs = (0..self.views.signature(view).outputs.len())
             .map(|output| self.views.output_type(view, output).width())
             .sum::<usize>();
@@ -534,14 +535,6 @@ impl Frame {
     fn new(key: Key) -> Self {
         Self { key, next: 0, guard: None, words: Vec::new(), demands: Vec::new(), inside: None }
     }
-}
-
-/// FNV-1a over a path of names, then mixed: stable across builds and platforms.
-fn site(path: &str) -> u64 {
-    let hash = path.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    });
-    mix_key(hash)
 }
 
 /// A bijective mix of 64 bits in which every input bit moves half of the output's.
