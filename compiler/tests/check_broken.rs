@@ -78,3 +78,70 @@ fn broken_files_have_their_expected_reports() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// A mistake, what MaterialX's validator says to it, and the file here that has it.
+const COMPARISON: [(&str, &str, &str); 14] = [
+    (
+        "a value of the wrong type",
+        "\"Mismatched types in port connection\", the tag",
+        "color_into_scalar",
+    ),
+    ("an unknown node type", "valid", "unknown_node_type"),
+    ("an unknown input", "\"doesn't match declaration\", no suggestion", "unknown_input"),
+    (
+        "a cycle above an output",
+        "\"Cycle in upstream path\", no path",
+        "cycle_of_three_with_a_tail",
+    ),
+    ("a cycle that reaches nothing", "valid", "cycle_nothing_reaches"),
+    ("a missing output", "\"Invalid port connection\"", "unknown_output"),
+    ("an input with no value", "reported", "missing_input"),
+    ("a duplicate name", "valid, the second node dropped", "duplicate_node"),
+    ("a word that is not in the enumeration", "valid", "unknown_enumeration_value"),
+    ("a value out of range", "valid", "literal_out_of_range"),
+    ("an unused node", "valid", "unreachable_node"),
+    ("a number that is not finite", "not tried", "infinite_number"),
+    ("a syntax error", "a Python traceback with a character offset", "syntax_missing_comma"),
+    ("four mistakes in one file", "two of them", "mixed_four_mistakes"),
+];
+
+/// `PHENOMENON_BLESS=1` writes it anew, like the reports.
+#[test]
+fn the_comparison_is_in_sync() {
+    let library = NodeLibrary::standard();
+    let mut page = String::from(
+        "# Validation compared\n\n\
+         What `phenomenon check` says to files of `graphs/broken`, beside what MaterialX's \
+         `mxvalidate` says to documents with the same mistake. The right column is written by a test. \
+         `mxvalidate` names no line, no column and no severity, and exits with 0 for all but the syntax \
+         error; `phenomenon check` exits with 1 where there is an error.\n\n\
+         | mistake | mxvalidate | phenomenon check |\n| --- | --- | --- |\n",
+    );
+    for (mistake, other, name) in COMPARISON {
+        let checked = check(&folder().join(format!("{name}.json")), &library);
+        let ours: Vec<String> = checked
+            .findings
+            .iter()
+            .map(|finding| {
+                let (line, column) = finding.place.line_column();
+                let help = if finding.fix.is_some() {
+                    format!("; {}", finding.help)
+                } else {
+                    String::new()
+                };
+                format!("{line}:{column} {}: {}{help}", finding.severity, finding.message)
+            })
+            .collect();
+        assert!(!ours.is_empty(), "{name}");
+        writeln!(page, "| {mistake} | {other} | {} |", ours.join("<br>").replace('|', "\\|"))
+            .unwrap();
+    }
+    let path = folder().join("../../docs/validation.md");
+    if std::env::var_os("PHENOMENON_BLESS").is_some() {
+        std::fs::write(&path, &page).unwrap();
+    }
+    assert!(
+        std::fs::read_to_string(&path).unwrap_or_default() == page,
+        "docs/validation.md differs:\n{page}"
+    );
+}

@@ -5,12 +5,12 @@
 use std::path::Path;
 
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_compiler::schema::graph_schema;
+use phenomenon_compiler::schema::file_schema;
 
 #[test]
 fn the_schema_is_in_sync() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../graphs/schema.json");
-    let schema = graph_schema(&NodeLibrary::standard());
+    let schema = file_schema(&NodeLibrary::standard());
     if std::env::var_os("PHENOMENON_BLESS").is_some() {
         std::fs::write(&path, &schema).unwrap();
     }
@@ -21,7 +21,7 @@ fn the_schema_is_in_sync() {
 #[test]
 fn every_node_and_input_is_in_the_schema() {
     let library = NodeLibrary::standard();
-    let whole: serde_json::Value = serde_json::from_str(&graph_schema(&library)).unwrap();
+    let whole: serde_json::Value = serde_json::from_str(&file_schema(&library)).unwrap();
     let node = &whole["definitions"]["node"];
     let choices = node["allOf"].as_array().unwrap();
     assert_eq!(choices.len(), library.iter().count());

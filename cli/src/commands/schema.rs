@@ -1,17 +1,17 @@
-//! `phenomenon schema`: the JSON Schema of graph files.
+//! `phenomenon schema`: the JSON Schema of graph and scene files.
 
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_compiler::schema::graph_schema;
+use phenomenon_compiler::schema::file_schema;
 
 use crate::failure::{Failure, Outcome};
 use crate::terminal;
 
-/// Writes the JSON Schema of graph files, from which editors complete and check them.
+/// Writes the JSON Schema of graph and scene files, from which editors complete and check them.
 #[derive(Debug, clap::Args)]
 pub struct Arguments {}
 
 /// Runs the command.
 pub fn run(_: &Arguments) -> Result<Outcome, Failure> {
-    terminal::print(&graph_schema(&NodeLibrary::standard()))?;
+    terminal::print(&file_schema(&NodeLibrary::standard()))?;
     Ok(Outcome::Fine)
 }

@@ -88,7 +88,7 @@ impl<'f> Excerpt<'f> {
             .chain(finding.related.iter().map(|related| &related.place))
             .filter(|place| place.file == finding.place.file)
             .take(MOST_LABELS);
-        let readable = places.into_iter().all(|place| source.longest_line(place) <= LONGEST_LINE);
+        let readable = places.into_iter().all(|place| source.can_show(place));
         (readable && !finding.place.file.text.is_empty()).then_some(Self { finding, source })
     }
 }
@@ -158,37 +158,50 @@ impl Diagnostic for Excerpt<'_> {
 struct Lines<'f>(&'f SourceFile);
 
 impl Lines<'_> {
-    /// Start of the line `before` lines above the one that holds `byte`.
-    fn line_start(&self, byte: usize, before: usize) -> usize {
-        let text = self.0.text.as_bytes();
-        let mut start = byte.min(text.len());
-        for _ in 0..=before {
-            match text[..start].iter().rposition(|byte| *byte == b'\n') {
-                Some(at) => start = at,
-                None => return 0,
-            }
-        }
-        start + 1
-    }
-
-    /// End of the line `after` lines below the one that holds `byte`, its line break excluded.
-    fn line_end(&self, byte: usize, after: usize) -> usize {
+    /// Start of the line `before` lines above the one that holds `byte`; none where a line on the
+    /// way is too long to be shown.
+    fn line_start(&self, byte: usize, before: usize) -> Option<usize> {
         let text = self.0.text.as_bytes();
         let mut end = byte.min(text.len());
-        for step in 0..=after {
-            let from = if step == 0 { end } else { end + 1 };
-            match text.get(from..).and_then(|rest| rest.iter().position(|byte| *byte == b'\n')) {
+        for step in 0..=before {
+            let from = end.saturating_sub(LONGEST_LINE);
+            match text[from..end].iter().rposition(|byte| *byte == b'\n') {
+                Some(at) if step == before => return Some(from + at + 1),
                 Some(at) => end = from + at,
-                None => return text.len(),
+                None if from == 0 => return Some(0),
+                None => return None,
             }
         }
-        end
+        Some(end)
     }
 
-    /// Length of the longest line an excerpt round the place shows.
-    fn longest_line(&self, place: &Place) -> usize {
-        let (start, end) = (self.line_start(place.start, 1), self.line_end(place.end, 1));
-        self.0.text[start..end].split('\n').map(str::len).max().unwrap_or(0)
+    /// End of the line `after` lines below the one that holds `byte`, its line break excluded; none
+    /// where a line on the way is too long to be shown.
+    fn line_end(&self, byte: usize, after: usize) -> Option<usize> {
+        let text = self.0.text.as_bytes();
+        let mut start = byte.min(text.len());
+        for step in 0..=after {
+            let to = (start + LONGEST_LINE).min(text.len());
+            match text[start..to].iter().position(|byte| *byte == b'\n') {
+                Some(at) if step == after => return Some(start + at),
+                Some(at) => start += at + 1,
+                None if to == text.len() => return Some(to),
+                None => return None,
+            }
+        }
+        Some(start)
+    }
+
+    /// Whether the lines an excerpt of the place shows are few and short enough for it.
+    fn can_show(&self, place: &Place) -> bool {
+        let (Some(start), Some(end)) =
+            (self.line_start(place.start, 1), self.line_end(place.end, 1))
+        else {
+            return false;
+        };
+        let lines = self.0.text.get(start..end).unwrap_or_default().split('\n');
+        place.end - place.start <= 4 * LONGEST_LINE
+            && lines.map(str::len).max().unwrap_or(0) <= LONGEST_LINE
     }
 }
 
@@ -203,9 +216,12 @@ impl SourceCode for Lines<'_> {
         if span.offset() + span.len() > length {
             return Err(MietteError::OutOfBounds);
         }
-        let start = self.line_start(span.offset(), before);
         let last = span.offset() + span.len().saturating_sub(1);
-        let end = self.line_end(last, after);
+        let (Some(start), Some(end)) =
+            (self.line_start(span.offset(), before), self.line_end(last, after))
+        else {
+            return Err(MietteError::OutOfBounds);
+        };
         let (line, _) = self.0.line_column(start);
         let data = &self.0.text.as_bytes()[start..end];
         let lines = data.iter().filter(|byte| **byte == b'\n').count() + 1;

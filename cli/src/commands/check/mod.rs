@@ -1,6 +1,8 @@
 //! `phenomenon check`: everything that is wrong in graphs and scenes.
 
-use std::collections::BTreeMap;
+mod scene;
+
+use std::collections::{BTreeMap, HashSet};
 use std::io::{IsTerminal, Read};
 use std::path::{Path, PathBuf};
 
@@ -8,6 +10,7 @@ use phenomenon_compiler::check::{Checked, check_graph};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::{self, Document, MAX_FILE_BYTES, ValueKind};
 use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_runtime::scene::is_scene;
 
 use crate::failure::{Failure, Outcome};
 use crate::report::{Format, Report};
@@ -62,13 +65,23 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let library = NodeLibrary::standard();
     let mut findings = Vec::new();
     let mut omitted = 0;
+    let mut told = HashSet::new();
     for input in inputs(&arguments.paths)? {
         let mut checked = check_input(&input, &library)?;
         if arguments.fix && input.mend(&checked.findings)? {
             checked = check_input(&input, &library)?;
         }
         omitted += checked.omitted;
-        findings.extend(checked.findings);
+        // A file that several others use is checked with each of them, but told of once.
+        findings.extend(checked.findings.into_iter().filter(|finding| {
+            let place = &finding.place;
+            told.insert((
+                place.file.name.clone(),
+                place.start,
+                finding.code,
+                finding.message.clone(),
+            ))
+        }));
     }
     findings.retain(|finding| {
         finding.severity == Severity::Error || !arguments.allow.contains(&finding.code)
@@ -144,6 +157,11 @@ fn check_input(input: &Input, library: &NodeLibrary) -> Result<Checked, Failure>
     };
     Ok(match document {
         Ok(document) if input.in_folder && !is_ours(&document) => Checked::default(),
+        Ok(document) if is_scene(&document) => {
+            let folder = input.path.parent().filter(|_| !input.is_standard_input());
+            let findings = scene::check(&document, folder.unwrap_or(Path::new("")), library);
+            Checked { findings, ..Checked::default() }
+        }
         Ok(document) => check_graph(&document, library),
         Err(finding) => Checked { findings: vec![*finding], ..Checked::default() },
     })

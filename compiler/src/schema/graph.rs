@@ -1,77 +1,62 @@
-//! The JSON Schema of graph files, made from the list of nodes: editors complete node types,
-//! inputs and enumerations from it, with their docs.
+//! The schema of graph files.
 
 use serde_json::{Map, Value, json};
 
+use super::{described, object, reference};
 use crate::check::ShaderType;
 use crate::nodes::{Default, Input, NodeLibrary, Signature, Type};
 
-/// The schema as JSON text (draft 7, which editors know best).
-pub fn graph_schema(library: &NodeLibrary) -> String {
-    let mut definitions = sources();
+/// Adds the definition `graph` and what it needs.
+pub(super) fn define(library: &NodeLibrary, definitions: &mut Map<String, Value>) {
+    definitions.insert("graph".into(), graph());
     definitions
         .insert("name".into(), json!({ "type": "string", "pattern": NAME, "maxLength": 256 }));
     definitions.insert("parameter".into(), parameter());
     definitions.insert("requires".into(), requires());
     definitions.insert("root".into(), root());
     definitions.insert("node".into(), node(library));
-    let schema = json!({
-        "$schema": "http://json-schema.org/draft-07/schema#",
-        "title": "phenomenon graph, version 1",
-        "type": "object",
-        "required": ["phenomenon", "roots"],
-        "additionalProperties": false,
-        "properties": {
-            "$schema": { "type": "string" },
-            "phenomenon": described("#/definitions/name", "Name of the phenomenon."),
-            "version": { "type": "integer", "minimum": 0, "maximum": i32::MAX, "description": "Version of the phenomenon; 0 where none is given." },
-            "doc": { "type": "string", "description": "What it is." },
-            "requires": described("#/definitions/requires", "What the renderer must do for it."),
-            "interface": {
-                "type": "object",
-                "description": "Its parameters, by name.",
-                "propertyNames": { "$ref": "#/definitions/name" },
-                "additionalProperties": { "$ref": "#/definitions/parameter" },
-            },
-            "nodes": {
-                "type": "object",
-                "description": "Its nodes, by name.",
-                "propertyNames": { "$ref": "#/definitions/name" },
-                "additionalProperties": { "$ref": "#/definitions/node" },
-            },
-            "roots": {
-                "type": "object",
-                "description": "What it is called for.",
-                "minProperties": 1,
-                "additionalProperties": false,
-                "properties": ShaderType::ALL.iter().map(|kind| (kind.name().to_owned(), json!({ "$ref": "#/definitions/root" }))).collect::<Map<String, Value>>(),
-            },
-            "editor": { "description": "Whatever editors keep here; it changes nothing." },
-        },
-        "definitions": definitions,
-    });
-    format!("{schema:#}\n")
+    sources(definitions);
 }
 
 /// Names of phenomena, parameters and nodes: letters and digits of any script, `_` and `-`.
 const NAME: &str =
     "^[^\\s\\u0000-\\u002c\\u002e-\\u002f\\u003a-\\u0040\\u005b-\\u005e\\u0060\\u007b-\\u007f]+$";
 
-fn described(reference: &str, description: &str) -> Value {
-    json!({ "allOf": [{ "$ref": reference }], "description": description })
-}
-
-fn object(required: &[&str], properties: Value) -> Value {
-    json!({
-        "type": "object",
-        "required": required,
-        "additionalProperties": false,
-        "properties": properties,
-    })
+fn graph() -> Value {
+    let by_name = |definition: &str, description: &str| {
+        json!({
+            "type": "object",
+            "description": description,
+            "propertyNames": reference("name"),
+            "additionalProperties": reference(definition),
+        })
+    };
+    let roots: Map<String, Value> =
+        ShaderType::ALL.iter().map(|kind| (kind.name().to_owned(), reference("root"))).collect();
+    let mut roots = object(&[], Value::Object(roots));
+    roots["description"] = json!("What it is called for.");
+    roots["minProperties"] = json!(1);
+    object(
+        &["phenomenon", "roots"],
+        json!({
+            "$schema": { "type": "string" },
+            "phenomenon": described("name", "Name of the phenomenon."),
+            "version": {
+                "type": "integer", "minimum": 0, "maximum": i32::MAX,
+                "description": "Version of the phenomenon; 0 where none is given.",
+            },
+            "doc": { "type": "string", "description": "What it is." },
+            "requires": described("requires", "What the renderer must do for it."),
+            "interface": by_name("parameter", "Its parameters, by name."),
+            "nodes": by_name("node", "Its nodes, by name."),
+            "roots": roots,
+            "editor": { "description": "Whatever editors keep here; it changes nothing." },
+        }),
+    )
 }
 
 /// What an input of each type may be given.
-fn sources() -> Map<String, Value> {
+fn sources(definitions: &mut Map<String, Value>) {
     let connection = json!({ "anyOf": [
         object(&["node"], json!({ "node": { "type": "string" }, "output": { "type": "string" } })),
         object(&["interface"], json!({ "interface": { "type": "string" } })),
@@ -79,16 +64,15 @@ fn sources() -> Map<String, Value> {
     let number = json!({ "type": "number", "minimum": -f64::from(f32::MAX), "maximum": f64::from(f32::MAX) });
     let list = |least: usize, most: usize| json!({ "type": "array", "items": { "$ref": "#/definitions/number" }, "minItems": least, "maxItems": most });
     let integer = json!({ "type": "integer", "minimum": i32::MIN, "maximum": i32::MAX });
-    let reference = json!({ "$ref": "#/definitions/number" });
+    let number_here = reference("number");
     let lights = json!({ "type": "array", "items": object(&["light"], json!({ "light": { "type": "string" } })) });
-    let mut definitions = Map::new();
     for (name, literal) in [
         ("boolean", vec![json!({ "type": "boolean" })]),
         ("integer", vec![integer]),
-        ("scalar", vec![reference.clone()]),
-        ("color", vec![reference.clone(), list(3, 4)]),
+        ("scalar", vec![number_here.clone()]),
+        ("color", vec![number_here.clone(), list(3, 4)]),
         ("vector", vec![list(3, 3)]),
-        ("generic", vec![reference, list(3, 4)]),
+        ("generic", vec![number_here, list(3, 4)]),
         ("lights", vec![lights]),
     ] {
         definitions.insert(format!("{name}_literal"), json!({ "anyOf": literal }));
@@ -98,7 +82,6 @@ fn sources() -> Map<String, Value> {
     }
     definitions.insert("number".into(), number);
     definitions.insert("connection".into(), connection);
-    definitions
 }
 
 fn source_name(value_type: Type) -> &'static str {
@@ -225,12 +208,11 @@ fn required_inputs(signature: &Signature) -> Vec<&'static str> {
 }
 
 fn input_schema(input: &Input) -> Value {
-    let reference = format!("#/definitions/{}", source_name(input.value_type));
     let default = match &input.default {
         Default::Required => String::new(),
         Default::Literal(_) => " Has a default.".into(),
         Default::State(field) => format!(" By default the state's {}.", field.name()),
         Default::Node(name) => format!(" By default what `{name}` yields."),
     };
-    described(&reference, &format!("{}{default}", input.doc))
+    described(source_name(input.value_type), &format!("{}{default}", input.doc))
 }
