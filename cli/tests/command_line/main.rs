@@ -6,4 +6,5 @@ mod eval;
 mod nodes;
 mod program;
 mod readme;
+mod render;
 mod usage;
