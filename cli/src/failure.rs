@@ -10,6 +10,8 @@ pub enum Outcome {
     Fine,
     /// Exit code 1: findings, or a difference above the tolerance.
     Found,
+    /// Exit code 2: a file could not be read; everything else was done.
+    Unreadable,
 }
 
 /// A command that could not run to its end: exit code 2.

@@ -96,7 +96,7 @@ fn points(ray_type: RayType) -> Vec<State> {
         .map(|number| {
             let direction = random.direction();
             let mut normal = random.direction();
-            let mut dot = |normal: [f32; 3]| (0..3).map(|k| normal[k] * direction[k]).sum::<f32>();
+            let dot = |normal: [f32; 3]| (0..3).map(|k| normal[k] * direction[k]).sum::<f32>();
             if dot(normal) > 0.0 {
                 normal = normal.map(|x| -x);
             }

@@ -14,7 +14,7 @@ use super::nested::{Files, Nest, OnDisk};
 use super::requirements::Requirements;
 use super::{
     bind_inputs, cycles, dead_inputs, expand, hazards, interface, light_loops, nodes, ranges,
-    reach, requirements, roots, types,
+    reach, requirements, roots, stations, types,
 };
 
 /// Most nodes a graph may have.
@@ -120,6 +120,7 @@ pub(super) fn check<'d>(
     let (nodes, roots) = bind_inputs::bind(reader, &draft, &types);
     let requirements = requirements::check(reader, object.optional("requires"), &draft);
     light_loops::check(reader, &draft);
+    stations::check(reader, &draft);
     reach::check(reader, &draft);
     ranges::check(reader, &draft);
     hazards::check(reader, &draft);
@@ -138,7 +139,10 @@ pub(super) fn check<'d>(
         nodes,
         roots,
     };
-    if draft.nested.is_empty() || reader.findings.has_errors() {
+    if draft.phenomena.values().any(Option::is_none) || reader.findings.has_errors() {
+        return None;
+    }
+    if draft.nested.is_empty() {
         return Some((graph, requirements));
     }
     let graph = expand::expand(reader, &draft, graph)?;

@@ -19,10 +19,9 @@ enum Hazard {
 
 /// Inputs that are fine with every number by the conventions of `docs/numerics.md`, but mean
 /// nothing with some. All other limits are ranges in the signatures.
-const HAZARDS: [(&str, &str, Hazard); 4] = [
+const HAZARDS: [(&str, &str, Hazard); 3] = [
     ("divide", "b", Hazard::Zero),
     ("modulo", "b", Hazard::Zero),
-    ("ratio", "whole", Hazard::Zero),
     ("power", "base", Hazard::Negative),
 ];
 

@@ -29,6 +29,7 @@ mod reach;
 mod requirements;
 mod roots;
 mod sources;
+mod stations;
 mod types;
 
 pub use graph::{Checked, MAX_NODES, check_graph, check_graph_with, read_graph_file};

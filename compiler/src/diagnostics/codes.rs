@@ -97,7 +97,7 @@ codes! {
         right r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0] } }"#;
     MISSING_KEY "missing-key" Error "A key that must be given",
         "The object cannot be understood without this key.",
-        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "inputs": {} } }, "roots": { "material": 1 } }"#,
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "inputs": {} } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "add" } }, "roots": { "material": { "node": "n" } } }"#;
     WRONG_KIND "wrong-kind" Error "A value of the wrong kind",
         "The place takes another kind of JSON value: an object, a list, a string, a number, true or false.",
@@ -219,4 +219,8 @@ codes! {
         "A constant or the range of a parameter lets a node divide by zero or raise a negative number to a power. The result is defined, and the same in every engine, but hardly what is wanted.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 0 } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 2 } } }, "roots": { "material": { "node": "n" } } }"#;
+    MISPLACED_EFFECT "misplaced-effect" Error "An effect its shader type does not allow",
+        "Each shader type is called at a moment of its own. A displacement runs before there is a scene, an output shader on finished pixels, a light shader while a light loop asks it: not every ray can be cast and not every light asked then.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "displacement": { "node": "t" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "material": { "node": "t" } } }"#;
 }

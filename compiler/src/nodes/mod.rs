@@ -7,11 +7,14 @@ mod macros;
 #[macro_use]
 mod harness;
 #[cfg(test)]
+mod adding_a_node;
+#[cfg(test)]
 mod agreement;
 
 mod code;
 pub mod finite;
 mod library;
+pub mod reference;
 mod signature;
 
 pub use code::{Body, Code};

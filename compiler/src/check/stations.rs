@@ -1,0 +1,95 @@
+//! Effects at stations that do not allow them: each shader type is called at a moment of its own,
+//! and not everything can be asked of the renderer then.
+
+use crate::diagnostics::{Code, Finding};
+use crate::document::{Reader, shortened};
+use crate::effects::Effect;
+use crate::graph::RootKind;
+use crate::nodes::{Kind, NodeType};
+
+use super::draft::{Draft, SourceKind};
+use super::roots::ShaderType;
+
+/// Why a root of a shader type cannot do what a node does; none where it can.
+fn forbidden(station: ShaderType, kind: &Kind) -> Option<&'static str> {
+    let lights = matches!(kind, Kind::LightLoop | Kind::Request(Effect::LightColor));
+    let traces = matches!(kind, Kind::Request(effect) if *effect != Effect::LightColor);
+    let environment = matches!(kind, Kind::Request(Effect::TraceEnvironment));
+    match station {
+        ShaderType::Run(RootKind::Environment) if environment => {
+            Some("it is what an environment ray asks, and would ask itself")
+        }
+        ShaderType::Checked("light") if lights => {
+            Some("it is what a light loop asks, and would ask itself")
+        }
+        ShaderType::Checked("displacement" | "geometry" | "state") if lights || traces => {
+            Some("it runs before there is a scene to cast rays into")
+        }
+        ShaderType::Checked("output") if lights || traces => {
+            Some("it runs on finished pixels, where there is no point to cast rays from")
+        }
+        ShaderType::Checked("lens") if lights => {
+            Some("it runs at the camera, where no surface is lit")
+        }
+        _ => None,
+    }
+}
+
+/// Reports every node below a root that asks for what is not allowed there.
+pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
+    let mut visited = vec![usize::MAX; draft.nodes.len()];
+    let mut reported = vec![false; draft.nodes.len()];
+    for (at, root) in draft.roots.iter().enumerate() {
+        let anything = draft
+            .library
+            .iter()
+            .any(|(_, definition)| forbidden(root.kind, &definition.signature.kind).is_some());
+        if !anything {
+            continue;
+        }
+        let mut pending: Vec<usize> = Vec::new();
+        for source in [root.color, root.ok].into_iter().flatten() {
+            if let SourceKind::Node(node, _) = source.kind {
+                pending.push(node);
+            }
+        }
+        while let Some(node) = pending.pop() {
+            if std::mem::replace(&mut visited[node], at) == at {
+                continue;
+            }
+            pending.extend(draft.reads(node).map(|(source, _)| source));
+            if let Some(node_type) = draft.nodes[node].node_type
+                && !reported[node]
+            {
+                reported[node] = report(reader, draft, root.kind, node, node_type);
+            }
+        }
+    }
+}
+
+fn report(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    station: ShaderType,
+    node: usize,
+    node_type: NodeType,
+) -> bool {
+    let signature = draft.library.signature(node_type);
+    // A phenomenon does whatever its nodes do.
+    let inner = draft.nested.get(&node_type);
+    let why = forbidden(station, &signature.kind).or_else(|| {
+        let mut nodes = inner?.graph.nodes.iter();
+        nodes.find_map(|node| forbidden(station, &draft.library.signature(node.node_type).kind))
+    });
+    let Some(why) = why else { return false };
+    let name = shortened(draft.name(node));
+    let station = station.name();
+    let message = format!(
+        "node `{name}` ({}) cannot stand below the root `{station}`: {why}",
+        signature.name
+    );
+    let place = reader.document.place_of_key(draft.nodes[node].member);
+    let help = format!("use it below another root, or give `{station}` what needs no rays");
+    reader.findings.push(Finding::new(Code::MISPLACED_EFFECT, place, message, help));
+    true
+}

@@ -1,0 +1,71 @@
+//! Follows `docs/adding-a-node.md`: its example is compiled, tested and used in a graph.
+
+use std::sync::Arc;
+
+use super::{Literal, NodeLibrary};
+use crate::check::check_graph;
+use crate::document;
+use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use crate::engine::{Engine, Options, Shade, Shaded, Shader};
+use crate::graph::RootKind;
+use crate::state::State;
+
+#[path = "../../../docs/adding-a-node/contrast.rs"]
+pub mod contrast;
+
+const PAGE: &str = include_str!("../../../docs/adding-a-node.md");
+const SOURCE: &str = include_str!("../../../docs/adding-a-node/contrast.rs");
+
+/// The graph of the page's last step.
+fn graph_of_the_page() -> &'static str {
+    let start = PAGE.find("```json\n").expect("the page shows a graph") + "```json\n".len();
+    let length = PAGE[start..].find("```").expect("the graph ends");
+    &PAGE[start..start + length]
+}
+
+#[test]
+fn the_page_shows_the_source_that_is_compiled() {
+    let (code, tests) = SOURCE.split_once("#[cfg(test)]").expect("the example has tests");
+    assert!(PAGE.contains(&format!("```rust\n{}\n```", code.trim_end())), "signature and body");
+    let tests = format!("```rust\n#[cfg(test)]{}\n```", tests.trim_end());
+    assert!(PAGE.contains(&tests), "tests");
+    let steps = (1..=5).map(|step| format!("\n## {step}. "));
+    assert!(steps.into_iter().all(|step| PAGE.contains(&step)));
+    assert!(!PAGE.contains("\n## 6. "));
+}
+
+/// Nothing to ask.
+struct Nothing;
+
+impl Renderer for Nothing {
+    fn trace(&mut self, _: Effect, _: &[Ray], _: &mut [Answer]) {}
+    fn light_list(&mut self, _: &[String]) -> LightList {
+        LightList(0)
+    }
+    fn light_count(&mut self, _: LightList) -> usize {
+        0
+    }
+    fn light_samples(&mut self, _: LightList, _: usize, _: &[State], _: &mut [LightSample]) {}
+    fn light_colors(&mut self, _: LightList, _: usize, _: &[State], _: &mut [[f32; 3]]) {}
+}
+
+#[test]
+fn the_new_node_runs_in_every_engine() {
+    let mut library = NodeLibrary::standard();
+    library.add(contrast::definition());
+    let library = Arc::new(library);
+    let document = document::read("page.json", graph_of_the_page().as_bytes()).expect("JSON");
+    let checked = check_graph(&document, &library);
+    assert!(checked.findings.is_empty(), "{:#?}", checked.findings);
+    let graph = Arc::new(checked.graph.expect("a graph"));
+    for engine in [Engine::Walk, Engine::Batch, Engine::Jit] {
+        let options = Options { engine, ..Options::default() };
+        let values = [("amount".to_string(), Literal::Scalar(3.0))];
+        let shader = Shader::new(graph.clone(), library.clone(), &values, options)
+            .expect("the graph compiles");
+        let mut results = [Shaded::default(); 9];
+        shader.shade(RootKind::Material, &[State::default(); 9], &mut Nothing, &mut results);
+        let expected = Shaded { color: [-0.5, 0.25, 2.5, 1.0], ok: true };
+        assert_eq!(results, [expected; 9], "{engine:?}");
+    }
+}

@@ -1,0 +1,180 @@
+//! The reference page of the nodes, written from their list.
+
+use std::fmt::Write;
+use std::ops::RangeInclusive;
+
+use super::{
+    Default, Definition, FINITE, GROUPS, Kind, Literal, NOT_NEGATIVE, NodeLibrary, Signature, Type,
+};
+
+/// `docs/nodes.md`: every node of `library` in Markdown, by group.
+pub fn reference(library: &NodeLibrary) -> String {
+    let mut page = String::from(
+        "# Nodes\n\nWritten from the list of nodes by `compiler/src/nodes/reference.rs`; a test holds \
+         the two together.\n`UPDATE_REFERENCE=1 cargo test -p phenomenon-compiler reference` writes \
+         it anew. How to add one: [adding-a-node.md](adding-a-node.md).\n\nAn input without a default \
+         must be given. An input *demanded only where …* is not evaluated elsewhere.\nRanges hold per \
+         component (of a colour: red, green and blue) for the values that arrive.\n",
+    );
+    for (group, doc) in GROUPS {
+        let _ = write!(page, "\n## {group}\n\n{}\n", doc.trim());
+        for (_, definition) in library.iter() {
+            if definition.signature.group == *group {
+                write_node(&mut page, definition);
+            }
+        }
+    }
+    page
+}
+
+fn write_node(page: &mut String, definition: &Definition) {
+    let signature = &definition.signature;
+    let _ = write!(page, "\n### {}\n\n{}\n", signature.name, signature.doc);
+    let _ = write!(page, "{}", kind(signature));
+    if !signature.inputs.is_empty() {
+        page.push_str(
+            "\n| input | type | default | range | meaning |\n| --- | --- | --- | --- | --- |\n",
+        );
+    }
+    for input in &signature.inputs {
+        let mut doc = cell(&input.doc);
+        if input.guarded {
+            doc.push_str(" *Demanded only where it shows.*");
+        }
+        if input.scoped {
+            doc.push_str(" *Evaluated inside.*");
+        }
+        let _ = writeln!(
+            page,
+            "| `{}` | {} | {} | {} | {doc} |",
+            input.name,
+            cell(input.value_type.name()),
+            default(&input.default),
+            range(&input.range, has_range(input.value_type)),
+        );
+    }
+    page.push_str("\n| output | type | range | meaning |\n| --- | --- | --- | --- |\n");
+    for output in &signature.outputs {
+        let _ = writeln!(
+            page,
+            "| `{}` | {} | {} | {} |",
+            output.name,
+            cell(output.value_type.name()),
+            range(&output.range, has_range(output.value_type)),
+            cell(&output.doc),
+        );
+    }
+    if !signature.source.is_empty() {
+        let _ = write!(page, "\nSource: {}.\n", signature.source);
+    }
+}
+
+/// What a reader must know of how it is evaluated.
+fn kind(signature: &Signature) -> String {
+    let names = |fields: &[crate::state::Field]| {
+        let names: Vec<String> = fields.iter().map(|field| format!("`{}`", field.name())).collect();
+        names.join(", ")
+    };
+    match &signature.kind {
+        Kind::Request(effect) => format!("\nAsks the renderer: effect `{}`.\n", effect.name()),
+        Kind::Scope(fields) => format!("\nChanges, for its scoped input: {}.\n", names(fields)),
+        Kind::LightLoop => "\nA loop over light samples.\n".into(),
+        Kind::Plain | Kind::Fields(_) => String::new(),
+    }
+}
+
+fn cell(text: &str) -> String {
+    text.replace('\n', " ").replace('|', "\\|")
+}
+
+fn default(default: &Default) -> String {
+    match default {
+        Default::Required => String::new(),
+        Default::Literal(literal) => format!("`{}`", value(literal)),
+        Default::State(field) => format!("state: `{}`", field.name()),
+        Default::Node(name) => format!("[`{name}`](#{name})"),
+    }
+}
+
+fn value(literal: &Literal) -> String {
+    let list = |numbers: &[f32]| {
+        let numbers: Vec<String> = numbers.iter().map(f32::to_string).collect();
+        format!("[{}]", numbers.join(", "))
+    };
+    match literal {
+        Literal::Boolean(value) => value.to_string(),
+        Literal::Integer(value) => value.to_string(),
+        Literal::Scalar(value) => value.to_string(),
+        Literal::Color(value) => list(value),
+        Literal::Vector(value) => list(value),
+        Literal::Lights(_) => "[]".into(),
+    }
+}
+
+fn has_range(value_type: Type) -> bool {
+    !matches!(value_type, Type::Boolean | Type::Lights)
+}
+
+fn range(range: &RangeInclusive<f64>, shown: bool) -> String {
+    if !shown {
+        return String::new();
+    }
+    if *range == FINITE {
+        return "finite".into();
+    }
+    if *range == NOT_NEGATIVE {
+        return "0 or more".into();
+    }
+    format!("{} to {}", bound(*range.start()), bound(*range.end()))
+}
+
+/// A bound as people write it.
+fn bound(value: f64) -> String {
+    let rounded = value as f32;
+    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_checked_in_reference_is_in_sync() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/nodes.md");
+        let page = reference(&NodeLibrary::standard());
+        if std::env::var_os("UPDATE_REFERENCE").is_some() {
+            std::fs::write(path, &page).expect("the page can be written");
+        }
+        let checked_in = std::fs::read_to_string(path).unwrap_or_default();
+        assert!(
+            checked_in == page,
+            "docs/nodes.md does not show the nodes as they are: run \
+             `UPDATE_REFERENCE=1 cargo test -p phenomenon-compiler reference`"
+        );
+    }
+
+    #[test]
+    fn every_node_has_its_heading_once() {
+        let library = NodeLibrary::standard();
+        let page = reference(&library);
+        for (_, definition) in library.iter() {
+            let heading = format!("\n### {}\n", definition.signature.name);
+            assert_eq!(page.matches(&heading).count(), 1, "{heading}");
+        }
+        let headings = page.matches("\n### ").count();
+        assert_eq!(headings, library.iter().count());
+    }
+
+    #[test]
+    fn cells_and_bounds() {
+        assert_eq!(cell("a | b\nc"), "a \\| b c");
+        assert_eq!(range(&(-1.0..=1.0), true), "-1 to 1");
+        assert_eq!(range(&(0.0..=1e19), true), "0 to 1e19");
+        assert_eq!(range(&FINITE, true), "finite");
+        assert_eq!(range(&FINITE, false), "");
+    }
+}
