@@ -7,4 +7,5 @@ mod nodes;
 mod program;
 mod readme;
 mod show;
+mod render;
 mod usage;

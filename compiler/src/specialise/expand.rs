@@ -456,11 +456,10 @@ impl Builder<'_> {
         name: &str,
         is_root: bool,
     ) -> Result<Built, SpecialiseError> {
-        if let (Some(inputs), false) = (Uniforms::positions(&frame.words), is_root) {
-            if frame.demands.is_empty() {
-                let words = self.result.uniforms.compute(code, inputs);
-                return Ok(Built { words, demand: None });
-            }
+        let foldable = frame.demands.is_empty() && !is_root;
+        if let (Some(inputs), true) = (Uniforms::positions(&frame.words), foldable) {
+            let words = self.result.uniforms.compute(code, inputs);
+            return Ok(Built { words, demand: None });
         }
         let Frame { key: (_, epoch), words, demands, .. } = frame;
         let outputs = code.outputs as u32;
@@ -491,9 +490,9 @@ impl Builder<'_> {
     fn table(&mut self, epoch: EpochId) -> Option<usize> {
         let in_loop = self.result.epochs.innermost_loop(epoch)?;
         let EpochKind::Loop { list, .. } = self.result.epochs.0[in_loop].kind else { return None };
-        let outside = self.result.epochs.0[in_loop].parent;
+        // From the request outwards: a scope inside the loop that moves the point has its own table.
         let reads: FieldSet = LIGHT_LOOP_READS.into_iter().collect();
-        let table = LightTable { list, epoch: self.result.epochs.effective(outside, reads) };
+        let table = LightTable { list, epoch: self.result.epochs.effective(epoch, reads) };
         let known = self.result.tables.iter().position(|of| *of == table);
         Some(known.unwrap_or_else(|| {
             self.result.tables.push(table);
