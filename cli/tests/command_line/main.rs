@@ -6,6 +6,6 @@ mod eval;
 mod nodes;
 mod program;
 mod readme;
-mod show;
 mod render;
+mod show;
 mod usage;
