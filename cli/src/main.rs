@@ -13,7 +13,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{check, compare, eval, explain, fmt, nodes, render, schema};
+use crate::commands::{check, compare, eval, explain, fmt, nodes, render, schema, show};
 use crate::failure::{Failure, Outcome};
 
 /// Reads shader graphs, checks them, compiles them and renders pictures with them.
@@ -40,6 +40,7 @@ enum Command {
     Nodes(nodes::Arguments),
     Render(render::Arguments),
     Schema(schema::Arguments),
+    Show(show::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -73,5 +74,6 @@ fn run(command: Command) -> Result<Outcome, Failure> {
         Command::Nodes(arguments) => nodes::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
+        Command::Show(arguments) => show::run(&arguments),
     }
 }

@@ -54,7 +54,7 @@ impl Renderer for Mock {
         samples: &mut [LightSample],
     ) {
         for (point, sample) in points.iter().zip(samples) {
-            let reachable = (point.path + iteration as u64) % 4 != 0;
+            let reachable = !(point.path + iteration as u64).is_multiple_of(4);
             *sample = LightSample { direction: LIGHTS[iteration], distance: 0.0, reachable };
         }
     }

@@ -9,4 +9,5 @@ pub mod print;
 pub mod random;
 pub mod random_graph;
 pub mod reads;
+pub mod scopes;
 pub mod shrink;

@@ -44,36 +44,13 @@ fn candidates(case: &Case) -> impl Iterator<Item = Case> {
         }
         candidates.push(Case { options: Vec::new(), naive: true, ..case.clone() });
     }
-    let graphs = smaller_graphs(&case.graph, &case.library);
+    let graphs = smaller_graphs(&case.graph, &case.library).into_iter();
     candidates.extend(graphs.map(|graph| Case { graph: Arc::new(graph), ..case.clone() }));
     candidates.into_iter()
 }
 
-fn smaller_graphs(graph: &Graph, library: &NodeLibrary) -> impl Iterator<Item = Graph> {
-    let mut smaller = Vec::new();
-    if graph.roots.len() > 1 {
-        smaller.extend(
-            graph.roots.iter().map(|root| Graph { roots: vec![root.clone()], ..graph.clone() }),
-        );
-    }
-    for (at, root) in graph.roots.iter().enumerate() {
-        let mut with = |root: Root| {
-            let mut graph = graph.clone();
-            graph.roots[at] = root;
-            smaller.push(graph);
-        };
-        if root.ok != Binding::Default {
-            with(Root { ok: Binding::Default, ..root.clone() });
-        }
-        // What feeds the root's colour may fail by itself.
-        if let Binding::Node { node, .. } = root.color {
-            for binding in &graph.nodes[node].inputs {
-                if let Some(color) = as_color(graph, library, binding) {
-                    with(Root { color, ..root.clone() });
-                }
-            }
-        }
-    }
+fn smaller_graphs(graph: &Graph, library: &NodeLibrary) -> Vec<Graph> {
+    let mut smaller = with_smaller_roots(graph, library);
     for (node, of) in graph.nodes.iter().enumerate() {
         for (input, binding) in of.inputs.iter().enumerate() {
             let declared = &library.signature(of.node_type).inputs[input];
@@ -81,32 +58,56 @@ fn smaller_graphs(graph: &Graph, library: &NodeLibrary) -> impl Iterator<Item = 
                 Default::Required => Binding::Literal(Literal::Vector([0.0, 0.0, 1.0])),
                 _ => Binding::Default,
             };
+            let mut instead = shortcuts(graph, library, binding);
             if *binding != plain {
-                let mut graph = graph.clone();
-                graph.nodes[node].inputs[input] = plain;
-                smaller.push(graph);
+                instead.push(plain);
             }
-            // A node in the way is skipped.
-            if let Binding::Node { node: source, output } = binding {
-                let from = output_type(graph, library, *source, *output);
-                for through in &graph.nodes[*source].inputs {
-                    if let Binding::Node { node: n, output: o } = through {
-                        if output_type(graph, library, *n, *o) == from {
-                            let mut graph = graph.clone();
-                            graph.nodes[node].inputs[input] = through.clone();
-                            smaller.push(graph);
-                        }
-                    }
-                }
+            smaller.extend(instead.into_iter().map(|binding| {
+                let mut graph = graph.clone();
+                graph.nodes[node].inputs[input] = binding;
+                graph
+            }));
+        }
+    }
+    let smaller = smaller.into_iter().map(without_unused);
+    smaller.filter(|graph| is_valid(graph, library)).collect()
+}
+
+fn with_smaller_roots(graph: &Graph, library: &NodeLibrary) -> Vec<Graph> {
+    let mut smaller = Vec::new();
+    let with = |roots: Vec<Root>| Graph { roots, ..graph.clone() };
+    if graph.roots.len() > 1 {
+        smaller.extend(graph.roots.iter().map(|root| with(vec![root.clone()])));
+    }
+    for (at, root) in graph.roots.iter().enumerate() {
+        let mut replace = |root: Root| {
+            let mut roots = graph.roots.clone();
+            roots[at] = root;
+            smaller.push(with(roots));
+        };
+        if root.ok != Binding::Default {
+            replace(Root { ok: Binding::Default, ..root.clone() });
+        }
+        // What feeds the root's colour may fail by itself.
+        if let Binding::Node { node, .. } = root.color {
+            let below = graph.nodes[node].inputs.iter();
+            for color in below.filter_map(|binding| as_color(graph, library, binding)) {
+                replace(Root { color, ..root.clone() });
             }
         }
     }
     smaller
-        .into_iter()
-        .map(without_unused)
-        .filter(|graph| is_valid(graph, library))
-        .collect::<Vec<_>>()
-        .into_iter()
+}
+
+/// Outputs of the same type that feed the node of a binding, so that it can be skipped.
+fn shortcuts(graph: &Graph, library: &NodeLibrary, binding: &Binding) -> Vec<Binding> {
+    let Binding::Node { node, output } = binding else { return Vec::new() };
+    let from = output_type(graph, library, *node, *output);
+    let fits = |through: &&Binding| match through {
+        Binding::Node { node, output } => output_type(graph, library, *node, *output) == from,
+        _ => false,
+    };
+    graph.nodes[*node].inputs.iter().filter(fits).cloned().collect()
 }
 
 fn output_type(graph: &Graph, library: &NodeLibrary, node: usize, output: usize) -> Type {

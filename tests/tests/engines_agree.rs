@@ -10,6 +10,7 @@ use phenomenon_tests::differential::{Agreement, Case};
 use phenomenon_tests::print::graph_text;
 use phenomenon_tests::random::Random;
 use phenomenon_tests::random_graph::random_graph;
+use phenomenon_tests::scopes::with_more_scopes;
 use phenomenon_tests::shrink::shrink;
 
 fn from_environment(name: &str, otherwise: u64) -> u64 {
@@ -41,9 +42,18 @@ fn check(seed: u64, case: &Case) -> Agreement {
 
 #[test]
 fn on_random_graphs() {
-    let library = Arc::new(NodeLibrary::standard());
+    agree_on_random_graphs(NodeLibrary::standard(), 2_000);
+}
+
+#[test]
+fn on_random_graphs_with_more_scopes() {
+    agree_on_random_graphs(with_more_scopes(), 500);
+}
+
+fn agree_on_random_graphs(library: NodeLibrary, cases: u64) {
+    let library = Arc::new(library);
     let first = from_environment("PHENOMENON_SEED", 0);
-    let cases = from_environment("PHENOMENON_CASES", 1_000);
+    let cases = from_environment("PHENOMENON_CASES", cases);
     let mut ran = 0;
     let mut naive = 0;
     let mut with_requests = 0;

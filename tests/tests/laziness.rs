@@ -16,7 +16,7 @@ use phenomenon_tests::random_graph::{random_graph, random_value};
 /// Ordinary points, each its own place; every third hit from inside.
 fn points(count: u32) -> Vec<State> {
     let state = |index: u32| {
-        let mut state = State { inv_normal: index % 3 == 0, ..State::default() };
+        let mut state = State { inv_normal: index.is_multiple_of(3), ..State::default() };
         state.point[0] = index as f32;
         state.hit.instance = index;
         state
@@ -47,7 +47,8 @@ const BEHIND: [f32; 3] = [0.0, 0.6, -0.8];
 
 #[test]
 fn a_mirror_of_weight_zero_casts_no_reflection_ray() {
-    let mirror = |weight: &dyn Fn(&mut Build) -> Binding| {
+    type Weight<'a> = &'a dyn Fn(&mut Build) -> Binding;
+    let mirror = |weight: Weight<'_>| {
         let mut build = Build::new();
         let weight = weight(&mut build);
         let trace = build.node("trace_reflection", &[]);
@@ -57,7 +58,7 @@ fn a_mirror_of_weight_zero_casts_no_reflection_ray() {
         );
         build.material(mix.first())
     };
-    let weights: [(&dyn Fn(&mut Build) -> Binding, usize); 6] = [
+    let weights: [(Weight<'_>, usize); 6] = [
         (&|_| scalar(0.0), 0),
         (&|_| scalar(-0.0), 0),
         (&|_| scalar(1e-45), 20),

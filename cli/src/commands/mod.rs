@@ -8,3 +8,4 @@ pub mod fmt;
 pub mod nodes;
 pub mod render;
 pub mod schema;
+pub mod show;

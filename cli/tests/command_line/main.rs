@@ -6,4 +6,6 @@ mod eval;
 mod nodes;
 mod program;
 mod readme;
+mod render;
+mod show;
 mod usage;

@@ -1,4 +1,4 @@
-//! Checking a document against a node library: from text to a [`Graph`] the engines can trust.
+//! Checking a document against a node library: from text to a [`Graph`](crate::graph::Graph) the engines can trust.
 //!
 //! ```
 //! use phenomenon_compiler::{check::check_graph, document, nodes::NodeLibrary};

@@ -80,7 +80,7 @@ fn read_header<'d>(
     let mut node_type = None;
     let mut has_type = false;
     let mut version = None;
-    let Some(members) = reader.members(&member.value, "a node") else { return None };
+    let members = reader.members(&member.value, "a node")?;
     for part in members {
         match part.key.as_str() {
             "type" => {

@@ -300,7 +300,16 @@ impl Run<'_> {
 
     /// Asks for the colours of a light sample that are not known yet, and hands out all.
     fn light_color(&mut self, request: &Request) {
-        let (Some(table), Some(&at)) = (request.table, request.loops.last()) else { return };
+        let (Some(table), Some(&at)) = (request.table, request.loops.last()) else {
+            // The checker refuses it outside a loop; without one it is black, as in the walk.
+            for at in 0..self.memory.chosen.len() {
+                let point = self.memory.chosen[at];
+                for (slot, x) in (request.output..).zip([0.0_f32, 0.0, 0.0, 1.0]) {
+                    self.set(slot, point, x.to_bits());
+                }
+            }
+            return;
+        };
         let iteration = self.memory.iterations[at].wrapping_sub(1);
         let list = self.lists[self.program.schedule.tables[table].list];
         let kept = &mut self.memory.tables[table];

@@ -212,7 +212,9 @@ impl Shader {
             Engine::Auto if JitCode::available().is_ok() => {
                 let (code, simd) = (Arc::clone(&code), self.options.simd);
                 // A plan that fails leaves the kernels running: same bits.
-                std::thread::spawn(move || code.plan.set(code.plan(simd).ok().flatten()));
+                std::thread::spawn(move || {
+                    code.plan.get_or_init(|| code.plan(simd).ok().flatten());
+                });
             }
             Engine::Auto | Engine::Walk | Engine::Batch => {}
         }

@@ -15,7 +15,7 @@ pub trait Body: 'static {
 }
 
 /// One body in every back end. The `native` forms need the CPU features of
-/// [`Simd::Native`]; all forms give the same bits.
+/// [`Simd::Native`](crate::engine::Simd::Native); all forms give the same bits.
 #[derive(Clone, Copy)]
 pub struct Code {
     /// One point.

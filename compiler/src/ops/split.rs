@@ -1,5 +1,10 @@
 //! Cutting of a long segment into parts that are compiled as functions of their own and run one
-//! after another: register allocation is quadratic on huge functions.
+//! after another, each over all blocks.
+//!
+//! A turn of a short loop is overlapped by the CPU with the next; one longer than its reorder window
+//! waits for its own chain of dependent operations. So cutting pays long before register allocation,
+//! which is quadratic on huge functions, asks for it: 893 operations in one chain took 107 ns per
+//! point in parts of 500, and 59 in parts of 80, at any batch from 8 to 256 in about this ratio.
 //!
 //! A value needed past a cut is stored to a scratch slot at the end of its part and loaded where
 //! it is needed; constants and loads are repeated instead.
@@ -9,8 +14,8 @@ use std::collections::HashMap;
 use super::{Op, OpId, Segment};
 use crate::engine::lanes::Source;
 
-/// Operations of a part that compile well.
-pub const COMFORTABLE: usize = 500;
+/// Operations of a part that run well.
+pub const COMFORTABLE: usize = 80;
 
 /// A segment in parts.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -153,10 +153,20 @@ fn settle(
     }
     let offsets = offsets(routes, column);
     let mut pools: Vec<Pool> = Vec::with_capacity(column.len());
-    for (&vertex, offset) in column.iter().zip(&offsets) {
-        let (wish, weight) =
-            pulls.wish(vertex, side, median, middles).unwrap_or((middles[vertex], 0.05));
-        let mut pool = Pool { sum: (wish - offset) * weight, weight, members: 1 };
+    let wishes: Vec<Option<(f64, f64)>> = column
+        .iter()
+        .zip(&offsets)
+        .map(|(&vertex, offset)| {
+            let wish = pulls.wish(vertex, side, median, middles);
+            wish.map(|(place, weight)| (place - offset, weight))
+        })
+        .collect();
+    // What no wire holds stands close below what is above it, or above what is below.
+    let first = wishes.iter().flatten().next().map_or(0.0, |wish| wish.0);
+    for wish in wishes {
+        let above = pools.last().map_or(first, |pool| pool.sum / pool.weight);
+        let (place, weight) = wish.unwrap_or((above, 1e-3));
+        let mut pool = Pool { sum: place * weight, weight, members: 1 };
         while let Some(above) = pools.last() {
             if above.sum / above.weight <= pool.sum / pool.weight {
                 break;

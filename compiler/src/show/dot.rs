@@ -107,7 +107,7 @@ fn table(card: &Card<'_>) -> String {
     }
     let small = if card.role == Role::Root { PAPER } else { MUTED };
     let mut text = format!(
-        "<TABLE BORDER=\"0\" CELLBORDER=\"1\" CELLSPACING=\"0\" CELLPADDING=\"4\" \
+        "<TABLE BORDER=\"1\" CELLBORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"4\" \
          COLOR=\"{OUTLINE}\" BGCOLOR=\"{PAPER}\"{style}><TR><TD COLSPAN=\"2\" BGCOLOR=\"{fill}\"{port}>\
          <FONT COLOR=\"{ink}\"><B>{}</B></FONT><BR/>\
          <FONT POINT-SIZE=\"8\" COLOR=\"{small}\">{}</FONT></TD></TR>",
@@ -127,14 +127,14 @@ fn table(card: &Card<'_>) -> String {
 
 fn input_cell(card: &Card<'_>, row: usize) -> String {
     let Some(input) = card.inputs.get(row) else {
-        return "<TD BORDER=\"0\"></TD>".to_owned();
+        return "<TD></TD>".to_owned();
     };
     let given = given_text(&input.given);
     let value = match given {
         "" => String::new(),
         given => format!(" <FONT COLOR=\"{}\">{}</FONT>", given_color(card, row), cell(given)),
     };
-    format!("<TD ALIGN=\"LEFT\" BORDER=\"0\" PORT=\"i{row}\">{}{value}</TD>", cell(input.name))
+    format!("<TD ALIGN=\"LEFT\" PORT=\"i{row}\">{}{value}</TD>", cell(input.name))
 }
 
 fn given_color(card: &Card<'_>, row: usize) -> &'static str {
@@ -147,9 +147,9 @@ fn given_color(card: &Card<'_>, row: usize) -> &'static str {
 fn output_cell(card: &Card<'_>, row: usize) -> String {
     match card.outputs.get(row) {
         Some(output) => {
-            format!("<TD ALIGN=\"RIGHT\" BORDER=\"0\" PORT=\"o{row}\">{}</TD>", cell(output.name))
+            format!("<TD ALIGN=\"RIGHT\" PORT=\"o{row}\">{}</TD>", cell(output.name))
         }
-        None => "<TD BORDER=\"0\"></TD>".to_owned(),
+        None => "<TD></TD>".to_owned(),
     }
 }
 

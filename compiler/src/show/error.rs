@@ -10,7 +10,7 @@ pub enum ShowError {
     /// More boxes than [`MAX_BOXES`].
     #[error(
         "the graph has {boxes} boxes (parameters, nodes and roots), more than the {limit} an SVG is \
-         drawn of; write DOT instead, or show a part of the graph"
+         drawn of"
     )]
     TooManyBoxes {
         /// How many it has.

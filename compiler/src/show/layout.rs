@@ -64,7 +64,7 @@ pub(super) fn layout(diagram: &Diagram<'_>) -> Result<Layout, ShowError> {
                 Role::Parameter | Role::Root => span.left,
                 Role::Node => span.left + (free / 2.0).round(),
             };
-            Place { x, y: (middles[card] - frame.height / 2.0).round() }
+            Place { x, y: middles[card] - frame.height / 2.0 }
         })
         .collect();
     let bottoms = places.iter().zip(&frames).map(|(place, frame)| place.y + frame.height);

@@ -13,7 +13,7 @@ const LINE: f64 = 18.0;
 /// Room for a sign, left of its text.
 const SIGN: f64 = 26.0;
 /// Between entries.
-const GAP: f64 = 20.0;
+const GAP: f64 = 22.0;
 
 /// Every type, in the order of the legend.
 const TYPES: [Type; 6] =
@@ -94,25 +94,25 @@ pub(super) fn write(pen: &mut Pen, legend: &Legend) {
         let y = top + LINE / 2.0;
         let (look, grey) = (Look::plain(), color(Type::Scalar));
         match sign {
-            Sign::Socket(value_type) => pen.socket(x + 15.0, y, value_type, look),
-            Sign::Guarded => pen.socket(x + 15.0, y, Type::Scalar, Look { hollow: true, ..look }),
+            Sign::Socket(value_type) => pen.socket(x + 12.0, y, value_type, look),
+            Sign::Guarded => pen.socket(x + 12.0, y, Type::Scalar, Look { hollow: true, ..look }),
             Sign::Scoped => {
                 let _ = writeln!(
                     pen.svg,
                     "<path d=\"M{} {}h14\" stroke=\"{grey}\" stroke-width=\"2\" \
                      stroke-dasharray=\"4 3\"/>",
-                    short(x - 2.0),
+                    short(x - 6.0),
                     short(y)
                 );
-                pen.socket(x + 15.0, y, Type::Scalar, Look { double: true, ..look });
+                pen.socket(x + 12.0, y, Type::Scalar, Look { double: true, ..look });
             }
-            Sign::Conversion => pen.conversion(x + 20.0, y, false),
+            Sign::Conversion => pen.conversion(x + 19.0, y, false),
             Sign::Parameter => {
                 let _ = writeln!(
                     pen.svg,
                     "<text x=\"{}\" y=\"{}\" font-size=\"{}\" font-style=\"italic\" \
                      fill=\"{PARAMETER}\">ab</text>",
-                    short(x + 8.0),
+                    short(x + 7.0),
                     short(y + 3.4),
                     SMALL.size
                 );

@@ -19,9 +19,9 @@
 //! # Ok::<(), phenomenon_compiler::show::ShowError>(())
 //! ```
 //!
-//! The way of an SVG: a [`diagram`] says what is drawn, [`frames`] how large each box is,
-//! [`layers`] in which column it stands, [`routes`] where long wires pass through columns, [`order`]
-//! who stands above whom, [`coordinates`] where exactly, and [`svg`] writes it down. Nothing depends
+//! The way of an SVG: a `diagram` says what is drawn, `frames` how large each box is,
+//! `layers` in which column it stands, `routes` where long wires pass through columns, `order`
+//! who stands above whom, `coordinates` where exactly, and `svg` writes it down. Nothing depends
 //! on hashes, time or addresses: the same graph gives the same bytes.
 
 mod coordinates;

@@ -104,7 +104,7 @@ fn wires(pen: &mut Pen, diagram: &Diagram<'_>, layout: &Layout) {
         if tracks().all(|track| track.is_empty()) {
             continue;
         }
-        let halo: String = tracks().map(|track| curve(track)).collect();
+        let halo: String = tracks().map(curve).collect();
         let _ = writeln!(
             pen.svg,
             "<path d=\"{halo}\" fill=\"none\" stroke=\"{PAGE}\" stroke-width=\"5\"/>"
@@ -113,6 +113,13 @@ fn wires(pen: &mut Pen, diagram: &Diagram<'_>, layout: &Layout) {
             if !layout.tracks[at].is_empty() {
                 pen.wire(diagram, &diagram.wires[at], &layout.tracks[at]);
             }
+        }
+    }
+    for (wire, track) in diagram.wires.iter().zip(&layout.tracks) {
+        if track.is_empty() {
+            let (place, frame) = (&layout.places[wire.to.0], &layout.frames[wire.to.0]);
+            let value_type = diagram.cards[wire.from.0].outputs[wire.from.1].value_type;
+            pen.stub(place.x, place.y + frame.inputs[wire.to.1], value_type, wire.dead);
         }
     }
 }
@@ -199,6 +206,18 @@ impl Pen {
         if let (true, Some(end)) = (wire.converts, track.last()) {
             self.conversion(end.x - 9.0, end.y, wire.dead);
         }
+    }
+
+    /// What is left of a parameter's wire that is not drawn, before the socket at `x`.
+    pub fn stub(&mut self, x: f64, y: f64, value_type: Type, dead: bool) {
+        let faded = if dead { " opacity=\"0.5\"" } else { "" };
+        let _ = writeln!(
+            self.svg,
+            "<path d=\"M{} {}v8m0 -4h14\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{faded}/>",
+            short(x - 14.0),
+            short(y - 4.0),
+            color(value_type)
+        );
     }
 
     /// A mark on a wire whose value changes type; its tip is at `x`.
@@ -297,7 +316,8 @@ impl Pen {
                 short(width),
                 accent.colors().1
             );
-            self.text(x + 5.0, y, BADGE, PAPER, text);
+            let middle = " text-anchor=\"middle\"";
+            self.styled_text(x + width / 2.0, y, BADGE, PAPER, middle, text);
         }
         self.text(INDENT, y, SMALL, MUTED, &SMALL.fitted(card.subtitle, room));
     }

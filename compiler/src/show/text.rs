@@ -57,7 +57,8 @@ impl Font {
 
     /// `text`, or its beginning with an ellipsis, no wider than `room` pixels.
     pub fn fitted(self, text: &str, room: f64) -> String {
-        if self.width(text) <= room {
+        // Rooms are sums of widths; rounding must not cost a letter.
+        if self.width(text) <= room + 1e-6 {
             return text.to_owned();
         }
         let room = room - self.advance('…');

@@ -7,6 +7,18 @@ use crate::state::Field;
 /// Position in [`Epochs`].
 pub type EpochId = usize;
 
+/// Most names of a path that are shown.
+const SHOWN_NAMES: usize = 8;
+
+/// The key of an empty path.
+const PATH_KEY: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// The key of a path with `text` appended: FNV-1a, stable across builds and platforms.
+pub(super) fn path_key(key: u64, text: &str) -> u64 {
+    let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+    text.bytes().fold(key, step)
+}
+
 /// What opened an epoch.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EpochKind {
@@ -38,8 +50,11 @@ pub struct Epoch {
     pub changes: FieldSet,
     /// What opened it.
     pub kind: EpochKind,
-    /// Names of scopes and loops down to here, joined by `/`.
-    pub path: String,
+    /// Name of the scope or loop.
+    pub name: String,
+    /// Hash of the names down to here, each followed by `/`. Whole paths are not kept: those of a
+    /// nest take the square of its depth in memory.
+    pub path_key: u64,
     /// Loop epochs down to here, this one included, outermost first.
     pub loops: Vec<EpochId>,
 }
@@ -55,7 +70,8 @@ impl Epochs {
             parent: 0,
             changes: FieldSet::NONE,
             kind: EpochKind::Point,
-            path: String::new(),
+            name: String::new(),
+            path_key: PATH_KEY,
             loops: Vec::new(),
         }])
     }
@@ -74,9 +90,26 @@ impl Epochs {
         if matches!(kind, EpochKind::Loop { .. }) {
             loops.push(id);
         }
-        let path = format!("{}{name}/", outer.path);
-        self.0.push(Epoch { parent, changes, kind, path, loops });
+        let path_key = path_key(path_key(outer.path_key, name), "/");
+        let name = name.to_owned();
+        self.0.push(Epoch { parent, changes, kind, name, path_key, loops });
         id
+    }
+
+    /// The names of scopes and loops down to `epoch`, each followed by `/`; of a deep nest the
+    /// innermost only.
+    pub fn path(&self, mut epoch: EpochId) -> String {
+        let mut names = Vec::new();
+        while epoch != 0 && names.len() < SHOWN_NAMES {
+            names.push(self.0[epoch].name.as_str());
+            epoch = self.0[epoch].parent;
+        }
+        let mut path = if epoch == 0 { String::new() } else { "…/".to_owned() };
+        for name in names.iter().rev() {
+            path.push_str(name);
+            path.push('/');
+        }
+        path
     }
 
     /// The outermost epoch in which something that reads `fields` has the value it has in `epoch`.

@@ -9,6 +9,7 @@ use crate::graph::{Graph, Root};
 use crate::nodes::{Code, Kind, Literal, NodeLibrary, Type};
 use crate::state::{Field, RayType};
 
+use super::epochs::path_key;
 use super::reads::{LIGHT_LOOP_READS, light_fields, reads};
 use super::views::{Resolved, Views, inconsistent};
 use super::{
@@ -335,7 +336,7 @@ impl Builder<'_> {
             let node = name.to_owned();
             return Err(SpecialiseError::TooManyInstances { limit: MAX_INSTANCES, node });
         }
-        let name = format!("{}{name}", self.result.epochs.0[epoch].path);
+        let name = format!("{}{name}", self.result.epochs.path(epoch));
         let output = self.slots(outputs);
         self.result.instances.push(Instance { name, kind, epoch, demands, words, output, outputs });
         Ok(self.result.instances.len() - 1)
@@ -455,11 +456,10 @@ impl Builder<'_> {
         name: &str,
         is_root: bool,
     ) -> Result<Built, SpecialiseError> {
-        if let (Some(inputs), false) = (Uniforms::positions(&frame.words), is_root) {
-            if frame.demands.is_empty() {
-                let words = self.result.uniforms.compute(code, inputs);
-                return Ok(Built { words, demand: None });
-            }
+        let foldable = frame.demands.is_empty() && !is_root;
+        if let (Some(inputs), true) = (Uniforms::positions(&frame.words), foldable) {
+            let words = self.result.uniforms.compute(code, inputs);
+            return Ok(Built { words, demand: None });
         }
         let Frame { key: (_, epoch), words, demands, .. } = frame;
         let outputs = code.outputs as u32;
@@ -476,9 +476,9 @@ impl Builder<'_> {
         let Frame { key: (view, epoch), words, mut demands, .. } = frame;
         let context = self.context(epoch, effect.reads(), &mut demands);
         let table = (effect == Effect::LightColor).then(|| self.table(epoch)).flatten();
-        let path = format!("{}{name}", self.result.epochs.0[epoch].path);
+        let key = path_key(self.result.epochs.0[epoch].path_key, name);
         let loops = self.result.epochs.0[epoch].loops.clone();
-        let kind = InstanceKind::Request { effect, context, site: site(&path), loops, table };
+        let kind = InstanceKind::Request { effect, context, site: mix_key(key), loops, table };
         let outputs = (0..self.views.signature(view).outputs.len())
             .map(|output| self.views.output_type(view, output).width())
             .sum::<usize>();
@@ -490,9 +490,9 @@ impl Builder<'_> {
     fn table(&mut self, epoch: EpochId) -> Option<usize> {
         let in_loop = self.result.epochs.innermost_loop(epoch)?;
         let EpochKind::Loop { list, .. } = self.result.epochs.0[in_loop].kind else { return None };
-        let outside = self.result.epochs.0[in_loop].parent;
+        // From the request outwards: a scope inside the loop that moves the point has its own table.
         let reads: FieldSet = LIGHT_LOOP_READS.into_iter().collect();
-        let table = LightTable { list, epoch: self.result.epochs.effective(outside, reads) };
+        let table = LightTable { list, epoch: self.result.epochs.effective(epoch, reads) };
         let known = self.result.tables.iter().position(|of| *of == table);
         Some(known.unwrap_or_else(|| {
             self.result.tables.push(table);
@@ -534,14 +534,6 @@ impl Frame {
     fn new(key: Key) -> Self {
         Self { key, next: 0, guard: None, words: Vec::new(), demands: Vec::new(), inside: None }
     }
-}
-
-/// FNV-1a over a path of names, then mixed: stable across builds and platforms.
-fn site(path: &str) -> u64 {
-    let hash = path.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    });
-    mix_key(hash)
 }
 
 /// A bijective mix of 64 bits in which every input bit moves half of the output's.

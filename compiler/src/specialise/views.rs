@@ -83,10 +83,10 @@ impl<'a> Views<'a> {
         let mut missing = Vec::new();
         for (input, binding) in definition.signature.inputs.iter().zip(bindings) {
             match (&input.default, binding) {
-                (Default::Node(implied), Binding::Default) => {
-                    if !self.implied.contains_key(implied) {
-                        missing.push(*implied);
-                    }
+                (Default::Node(implied), Binding::Default)
+                    if !self.implied.contains_key(implied) =>
+                {
+                    missing.push(*implied);
                 }
                 (Default::Required, Binding::Default) => {
                     return Err(inconsistent(name, &format!("input `{}` is missing", input.name)));

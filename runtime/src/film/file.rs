@@ -71,7 +71,7 @@ fn format(path: &Path) -> Result<Format, FilmError> {
     }
 }
 
-/// Checks that [`write`] knows the file's ending, before hours are spent on a picture.
+/// Checks that [`write()`] knows the file's ending, before hours are spent on a picture.
 pub fn check_format(path: &Path) -> Result<(), FilmError> {
     format(path).map(|_| ())
 }

@@ -28,7 +28,7 @@ pub struct Context<'s> {
     pub(super) clock: Clock,
     /// Scratch space of the requests that are not running: one is taken per nested request, so
     /// nothing is allocated per ray.
-    spare: Vec<Box<Scratch>>,
+    spare: Vec<Scratch>,
     nesting: usize,
     light_lists: Vec<Arc<[u32]>>,
 }

@@ -113,7 +113,8 @@ fn meshes_far_from_the_origin_have_no_acne() {
 fn states_are_in_their_ranges() {
     let mut smooth = ball(2);
     smooth.smooth();
-    let shapes: [(&str, Box<dyn Fn(&mut SceneBuilder, u32)>); 2] = [
+    type Add = Box<dyn Fn(&mut SceneBuilder, u32)>;
+    let shapes: [(&str, Add); 2] = [
         (
             "sphere",
             Box::new(|builder, material| {

@@ -5,7 +5,7 @@
 //! * the verifier runs in debug builds only, NaN payloads are not canonicalised (1.6 to 2.2 times
 //!   the run time, and NaNs compare as a class here);
 //! * register allocation takes most of the compile time and is quadratic on huge functions:
-//!   [`crate::ops::split`] keeps them near 500 operations, and one that is still above
+//!   [`crate::ops::split`] keeps them short (faster code, too), and one that is still above
 //!   [`SINGLE_PASS_ABOVE`] is allocated in a single pass;
 //! * a dropped `JITModule` leaks its memory on purpose; [`JitCode`] frees it;
 //! * nothing may unwind through the code, and nothing does: it calls nothing.

@@ -13,9 +13,6 @@ use crate::schedule::{Item, Schedule, Segment, Step};
 /// holds fewer values in registers than the body has.
 const HEAVY_OPS: usize = 96;
 
-/// Operations of one function: register allocation takes more than linear time.
-const FUNCTION_OPS: usize = 500;
-
 /// The jit's plan for a schedule, with its code.
 #[derive(Debug)]
 pub struct Plan {
@@ -46,7 +43,8 @@ impl Plan {
     pub fn new(schedule: &Schedule, uniforms: usize, simd: Simd) -> Result<Self, JitError> {
         let stretches: Vec<Vec<Stretch>> = schedule.segments.iter().map(stretches).collect();
         let readers = Readers::new(schedule, &stretches);
-        let mut slots = schedule.slots;
+        // Scratch lives within one stretch, so all stretches share it.
+        let mut scratch = 0;
         let mut functions = Vec::new();
         let mut segments = Vec::new();
         let mut number = 0;
@@ -57,9 +55,9 @@ impl Plan {
                     Stretch::Heavy(step) => pieces.push(Piece::Kernel(step)),
                     Stretch::Light { from, to } => {
                         let ops = record(&segment.steps[from..to], number, &readers);
-                        let split =
-                            split::split(&dead::remove(&fold::fold(&ops)), FUNCTION_OPS, slots);
-                        slots += split.scratch;
+                        let ops = dead::remove(&fold::fold(&ops));
+                        let split = split::split(&ops, split::COMFORTABLE, schedule.slots);
+                        scratch = scratch.max(split.scratch);
                         for part in split.parts {
                             pieces.push(Piece::Fused(functions.len()));
                             functions.push(part);
@@ -70,8 +68,9 @@ impl Plan {
             }
             segments.push(pieces);
         }
-        let code = JitCode::compile(&functions, uniforms, slots as usize)?;
-        Ok(Self { segments, code, simd, slots: slots as usize })
+        let slots = (schedule.slots + scratch) as usize;
+        let code = JitCode::compile(&functions, uniforms, slots)?;
+        Ok(Self { segments, code, simd, slots })
     }
 
     /// Slots of a block, scratch included.

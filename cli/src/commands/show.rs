@@ -1,0 +1,102 @@
+//! `phenomenon show`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::show::{ShowError, draw_dot, draw_svg};
+
+use crate::arguments::require_writable;
+use crate::failure::{Failure, Outcome};
+use crate::graphs;
+
+/// Draw a graph.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A graph file
+    graph: PathBuf,
+
+    /// Where to write: SVG to look at, or DOT for Graphviz
+    #[arg(short, value_name = "FILE.svg|dot", value_parser = drawing)]
+    output: Drawing,
+}
+
+const EXAMPLES: &str = "\
+Parameters stand at the left, roots at the right. Colour and shape of a socket tell its type, a
+hollow socket is evaluated only where needed, a double one in the scope of its node. What no root
+reaches is faded. An SVG is drawn of up to 2,000 boxes; DOT has no limit.
+
+Examples:
+  phenomenon show graphs/glass/advanced_glass.json -o glass.svg
+  phenomenon show graphs/glass/advanced_glass.json -o glass.dot && dot -Tpdf glass.dot -o glass.pdf";
+
+/// `-o`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Drawing {
+    Svg(PathBuf),
+    Dot(PathBuf),
+}
+
+impl Drawing {
+    fn path(&self) -> &Path {
+        match self {
+            Drawing::Svg(path) | Drawing::Dot(path) => path,
+        }
+    }
+}
+
+/// Reads a path whose extension is that of a drawing.
+fn drawing(text: &str) -> Result<Drawing, String> {
+    let path = PathBuf::from(text);
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    match extension.map(str::to_ascii_lowercase).as_deref() {
+        Some("svg") => Ok(Drawing::Svg(path)),
+        Some("dot" | "gv") => Ok(Drawing::Dot(path)),
+        _ => Err("end the name in .svg or .dot".into()),
+    }
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// A graph that cannot be used or is too large for an SVG, or a file that cannot be written.
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let path = arguments.output.path();
+    require_writable("-o", path)?;
+    let library = NodeLibrary::standard();
+    let graph = graphs::read(&arguments.graph, &library)?;
+    let text = match arguments.output {
+        Drawing::Svg(_) => draw_svg(&graph, &library),
+        Drawing::Dot(_) => draw_dot(&graph, &library),
+    };
+    let text = text.map_err(|error| refusal(&arguments.graph, &error))?;
+    fs::write(path, text).map_err(|error| {
+        Failure::new(format!("-o {}: {error}", path.display()), "name a file that may be written")
+    })?;
+    Ok(Outcome::Fine)
+}
+
+fn refusal(graph: &Path, error: &ShowError) -> Failure {
+    let help = match error {
+        ShowError::TooManyBoxes { .. } => "name the output .dot; Graphviz draws large graphs",
+        ShowError::Inconsistent { .. } => "please report this: the checker should have found it",
+    };
+    Failure::new(format!("{}: {error}", graph.display()), help)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_extension_names_the_format() {
+        assert_eq!(drawing("a.SVG"), Ok(Drawing::Svg("a.SVG".into())));
+        assert_eq!(drawing("b/c.dot"), Ok(Drawing::Dot("b/c.dot".into())));
+        assert_eq!(drawing("c.gv"), Ok(Drawing::Dot("c.gv".into())));
+        for text in ["", "a", "svg", ".svg", "a.png", "a.svg.gz", "-"] {
+            assert!(drawing(text).is_err(), "{text}");
+        }
+    }
+}

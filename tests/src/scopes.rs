@@ -1,0 +1,80 @@
+//! Scopes the standard library does not have (yet), so that every field a ray can carry is changed
+//! by some scope.
+
+use phenomenon_compiler::nodes::NodeLibrary;
+
+/// The standard nodes, and the scopes of this module.
+pub fn with_more_scopes() -> NodeLibrary {
+    let mut library = NodeLibrary::standard();
+    library.add(enter_medium::definition());
+    library.add(turn::definition());
+    library
+}
+
+/// The node `enter_medium`.
+pub mod enter_medium {
+    use phenomenon_compiler::emit::Emit;
+    use phenomenon_compiler::node;
+    use phenomenon_compiler::nodes::{BLACK, state};
+    use phenomenon_compiler::state::Field;
+
+    node! {
+        /// Evaluates `input` with other indices of refraction.
+        enter_medium in scopes scope [Ior, IorIn],
+        source "test",
+        inputs {
+            /// The index outside.
+            ior: scalar = 1.5;
+            /// The index inside.
+            ior_in: scalar = state(Field::Ior);
+        }
+        scoped {
+            /// What is evaluated.
+            input: color = BLACK;
+        }
+        changes { ior: scalar; ior_in: scalar; }
+        outputs {
+            /// The value of `input`.
+            color: color;
+        }
+    }
+
+    #[inline(always)]
+    fn body<E: Emit>(_: E, i: &Inputs<E>) -> Changes<E> {
+        Changes { ior: i.ior, ior_in: i.ior_in }
+    }
+}
+
+/// The node `turn`.
+pub mod turn {
+    use phenomenon_compiler::emit::Emit;
+    use phenomenon_compiler::node;
+    use phenomenon_compiler::nodes::{BLACK, state};
+    use phenomenon_compiler::state::Field;
+
+    node! {
+        /// Evaluates `input` with another direction and another time.
+        turn in scopes scope [Direction, Time],
+        source "test",
+        inputs {
+            /// The direction.
+            direction: vector = state(Field::Normal);
+            /// The time.
+            time: scalar = state(Field::U);
+        }
+        scoped {
+            /// What is evaluated.
+            input: color = BLACK;
+        }
+        changes { direction: vector; time: scalar; }
+        outputs {
+            /// The value of `input`.
+            color: color;
+        }
+    }
+
+    #[inline(always)]
+    fn body<E: Emit>(_: E, i: &Inputs<E>) -> Changes<E> {
+        Changes { direction: i.direction, time: i.time }
+    }
+}
