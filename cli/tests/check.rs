@@ -71,7 +71,7 @@ fn human_reports_show_the_place_in_the_file() {
     let long =
         format!("{{ \"phenomenon\": \"a\", \"doc\": \"{}\", \"rots\": {{}} }}", "x".repeat(5000));
     let report = run(&["check", "-"], Some(&long), 1);
-    assert!(report.contains("-:1:5036: error[unknown-key]") && report.len() < 2000, "{report}");
+    assert!(report.contains("-:1:5033: error[unknown-key]") && report.len() < 2000, "{report}");
 }
 
 #[test]

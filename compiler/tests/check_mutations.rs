@@ -138,7 +138,7 @@ fn holds(bytes: &[u8], library: &NodeLibrary) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(600))]
+    #![proptest_config(ProptestConfig { cases: 600, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn any_edits_are_survived(seed in 0_usize..3, edits in prop::collection::vec(edit(), 1..6)) {

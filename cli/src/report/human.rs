@@ -216,6 +216,14 @@ impl SourceCode for Lines<'_> {
         if span.offset() + span.len() > length {
             return Err(MietteError::OutOfBounds);
         }
+        if (before, after) == (0, 0) {
+            // Asked for the place alone, from which the heading takes line and column.
+            let (line, column) = self.0.line_column(span.offset());
+            let data = &self.0.text.as_bytes()[span.offset()..span.offset() + span.len()];
+            let name = self.0.name.clone();
+            let (line, column) = (line - 1, column - 1);
+            return Ok(Box::new(MietteSpanContents::new_named(name, data, *span, line, column, 1)));
+        }
         let last = span.offset() + span.len().saturating_sub(1);
         let (Some(start), Some(end)) =
             (self.line_start(span.offset(), before), self.line_end(last, after))

@@ -25,6 +25,17 @@ pub(super) fn read<'d>(
     what: &dyn Fn() -> String,
 ) -> Option<Literal> {
     match (to, &value.kind) {
+        (Type::Lights, ValueKind::Array(elements)) => lights(reader, elements),
+        (_, ValueKind::Array(elements))
+            if elements.iter().any(|element| matches!(element.kind, ValueKind::Object(_))) =>
+        {
+            let message =
+                format!("{} takes {}, not a list of connections", what(), with_article(to));
+            let help = "lists are of numbers; compute components with a `combine_color` or \
+                        `combine_vector` node and connect that";
+            reader.report(Code::TYPE_MISMATCH, value, message, help);
+            None
+        }
         (Type::Boolean, ValueKind::Boolean(value)) => Some(Literal::Boolean(*value)),
         (Type::Integer, ValueKind::Number(_)) => {
             let range = i64::from(i32::MIN)..=i64::from(i32::MAX);
@@ -46,7 +57,6 @@ pub(super) fn read<'d>(
             let mut vector = [0.0; 3];
             numbers(reader, elements, &mut vector, what).then_some(Literal::Vector(vector))
         }
-        (Type::Lights, ValueKind::Array(elements)) => lights(reader, elements),
         _ => {
             mismatch(reader, value, to, what);
             None

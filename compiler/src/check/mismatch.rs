@@ -67,10 +67,13 @@ fn help(library: &NodeLibrary, from: Type, to: Type, part: &str) -> String {
 
 /// Up to two nodes that make `to` of `from`; those whose parts match in number first.
 fn converters(library: &NodeLibrary, from: Type, to: Type) -> Vec<String> {
-    let mut found: Vec<(usize, String)> = library
-        .iter()
-        .filter_map(|(_, definition)| converter(&definition.signature, from, to))
-        .collect();
+    let mut found: Vec<(usize, String)> = Vec::new();
+    // Those with most outputs first: they keep the most of the value.
+    let mut definitions: Vec<_> = library.iter().map(|(_, definition)| definition).collect();
+    definitions.sort_by_key(|definition| std::cmp::Reverse(definition.signature.outputs.len()));
+    for definition in definitions {
+        found.extend(converter(&definition.signature, from, to));
+    }
     found.sort_by_key(|(rank, _)| *rank);
     let least = found.first().map_or(0, |(rank, _)| *rank);
     found.into_iter().filter(|(rank, _)| *rank == least).map(|(_, name)| name).take(2).collect()

@@ -1,7 +1,7 @@
 //! Nodes no root reaches, and parameters nothing reads.
 
 use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, ValueKind, shortened};
+use crate::document::{Reader, Value, ValueKind, shortened};
 
 use super::draft::{Draft, Source, SourceKind};
 
@@ -12,10 +12,15 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
         let inputs = draft.nodes.iter().flat_map(|node| &node.inputs).map(|input| &input.source);
         inputs.chain(draft.roots.iter().flat_map(|root| [&root.color, &root.ok]).flatten())
     };
-    // A string is no literal anywhere; it was meant as a name.
-    let broken = |source: &Source<'_>| {
-        source.kind == SourceKind::Broken || matches!(source.value.kind, ValueKind::String(_))
+    // A string is no literal anywhere, nor is a list with objects in it: they were meant to connect.
+    let connects = |value: &Value| match &value.kind {
+        ValueKind::String(_) => true,
+        ValueKind::Array(elements) => elements
+            .iter()
+            .any(|element| element.get("node").or(element.get("interface")).is_some()),
+        _ => false,
     };
+    let broken = |source: &Source<'_>| source.kind == SourceKind::Broken || connects(source.value);
     let rootless = draft.roots.is_empty() || draft.roots.iter().any(|root| root.color.is_none());
     if draft.unresolved.get() || rootless || sources().any(broken) {
         return;

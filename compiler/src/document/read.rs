@@ -139,7 +139,8 @@ fn unreadable(name: &str, error: &std::io::Error) -> Box<Finding> {
 fn not_utf8(name: &str, bytes: &[u8], at: usize) -> Box<Finding> {
     // The excerpt shows what can be shown; the place stays right, because all before it is valid.
     let file = Arc::new(SourceFile::new(name, String::from_utf8_lossy(bytes)));
-    let place = Place { file, start: at, end: at + 1, path: String::new() };
+    let end = at + char::REPLACEMENT_CHARACTER.len_utf8();
+    let place = Place { file, start: at, end, path: String::new() };
     let message = match bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "the file is UTF-16, not UTF-8".into(),
         _ => format!("the byte 0x{:02x} is not valid UTF-8 here", bytes[at]),

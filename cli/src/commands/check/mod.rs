@@ -68,7 +68,11 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut told = HashSet::new();
     for input in inputs(&arguments.paths)? {
         let mut checked = check_input(&input, &library)?;
-        if arguments.fix && input.mend(&checked.findings)? {
+        // A mended type shows what is wrong with its inputs, so it takes a few rounds.
+        for _ in 0..MOST_ROUNDS {
+            if !arguments.fix || !input.mend(&checked.findings)? {
+                break;
+            }
             checked = check_input(&input, &library)?;
         }
         omitted += checked.omitted;
@@ -93,7 +97,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             }
         }
     }
-    let unreadable = findings.iter().any(|finding| finding.code == Code::UNREADABLE_FILE);
+    // A file that is named in another one has its place there; it is a finding like any other.
+    let unreadable = findings
+        .iter()
+        .any(|finding| finding.code == Code::UNREADABLE_FILE && finding.place.file.text.is_empty());
     let wrong = omitted > 0 || findings.iter().any(|finding| finding.severity == Severity::Error);
     let color = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     terminal::print(&Report::new(findings, omitted).text(arguments.format, color))?;
@@ -103,6 +110,9 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         _ => Outcome::Fine,
     })
 }
+
+/// Most times a file is mended and checked again.
+const MOST_ROUNDS: usize = 8;
 
 /// A file to check.
 #[derive(Debug)]
