@@ -34,9 +34,9 @@ impl Default for AdvancedGlass {
     fn default() -> Self {
         Self {
             surface_color: Vec4::new(0.93, 0.98, 0.86, 1.0),
-            depth_color: Vec4::new(0.001, 0.03, 0.0004, 1.0),
+            depth_color: Vec4::new(0.006, 0.035, 0.0008, 1.0),
             opacity: 0.02,
-            depth: 8.0,
+            depth: 7.0,
             ior: 1.5,
         }
     }

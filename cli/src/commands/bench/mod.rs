@@ -1,0 +1,29 @@
+//! `phenomenon bench`.
+
+mod render;
+
+use clap::{Args, Subcommand};
+
+use crate::failure::{Failure, Outcome};
+
+/// Measure, each figure beside its baseline in the same run.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    question: Question,
+}
+
+#[derive(Debug, Subcommand)]
+enum Question {
+    Render(render::Arguments),
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// As the question says.
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    match &arguments.question {
+        Question::Render(arguments) => render::run(arguments),
+    }
+}

@@ -1,0 +1,207 @@
+//! `phenomenon bench render`.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::{Args, ValueEnum};
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_runtime::render::{Settings, Statistics, render};
+use serde_json::json;
+
+use crate::arguments::{self, EngineChoice, Precision, SimdChoice, Size};
+use crate::failure::{Failure, Outcome};
+use crate::graphs::EngineArguments;
+use crate::scenes::{self, Change, Picture};
+use crate::terminal;
+
+/// Render the same picture with every engine in turn, several times, and print the medians.
+#[derive(Debug, Args)]
+#[command(after_help = NOTES)]
+pub struct Arguments {
+    /// A graph or scene file
+    file: PathBuf,
+
+    /// Width and height in pixels; otherwise as the scene says
+    #[arg(long, value_name = "WxH", value_parser = arguments::size, allow_hyphen_values = true)]
+    size: Option<Size>,
+
+    /// Samples of every pixel; otherwise as the scene says
+    #[arg(long, value_name = "N", value_parser = arguments::samples, allow_hyphen_values = true)]
+    spp: Option<u32>,
+
+    /// Threads; otherwise as many as the machine has
+    #[arg(long, value_name = "N", value_parser = arguments::threads, allow_hyphen_values = true)]
+    threads: Option<usize>,
+
+    /// Runs of each engine; the median is printed
+    #[arg(long, value_name = "N", default_value = "5",
+          value_parser = clap::value_parser!(u8).range(1..=100))]
+    runs: u8,
+
+    /// Write the rows to render.json in this folder
+    #[arg(short, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+const NOTES: &str = "\
+Engines take turns, so that a slow minute of the machine touches all of them. Ratios are medians of
+the ratios of one turn, to walk. \"shading\" is time inside shaders, without what they ask of the
+renderer, measured on a part of the batches. The jit's code is compiled before the clock starts.";
+
+/// The engines that are compared; the first is the baseline.
+const ENGINES: [EngineChoice; 4] =
+    [EngineChoice::Walk, EngineChoice::Batch, EngineChoice::Jit, EngineChoice::Monolith];
+
+struct Contender {
+    engine: EngineChoice,
+    picture: Picture,
+    runs: Vec<Statistics>,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// A file that cannot be used or rendered, or a folder that cannot be written.
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let library = Arc::new(NodeLibrary::standard());
+    let mut contenders = Vec::new();
+    for engine in ENGINES {
+        let run = EngineArguments {
+            engine,
+            precision: Precision::default(),
+            simd: SimdChoice::default(),
+            batch: 256,
+        };
+        let change = Change { set: &[], node: None };
+        let picture = scenes::load(&arguments.file, &library, &run, &change)?;
+        contenders.push(Contender { engine, picture, runs: Vec::new() });
+    }
+    let bar = terminal::progress("renderings", false);
+    bar.set_length(u64::from(arguments.runs) * ENGINES.len() as u64);
+    for _ in 0..arguments.runs {
+        for contender in &mut contenders {
+            let settings = settings(arguments, &contender.picture);
+            let rendered = render(&contender.picture.scene, &settings, &|_, _| ())
+                .map_err(|error| Failure::new(error, "choose another size or number of samples"))?;
+            contender.runs.push(rendered.statistics);
+            bar.inc(1);
+        }
+    }
+    bar.finish_and_clear();
+    terminal::print(&table(arguments, &contenders))?;
+    if let Some(folder) = &arguments.output {
+        write(folder, arguments, &contenders)?;
+    }
+    Ok(Outcome::Fine)
+}
+
+fn settings(arguments: &Arguments, picture: &Picture) -> Settings {
+    let options = &picture.options;
+    Settings {
+        width: arguments.size.map_or(options.width, |size| size.width),
+        height: arguments.size.map_or(options.height, |size| size.height),
+        samples: arguments.spp.unwrap_or(options.samples),
+        seed: options.seed,
+        threads: arguments.threads.unwrap_or(0),
+        ..Settings::default()
+    }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    if values.len() % 2 == 1 {
+        values[middle]
+    } else {
+        f64::midpoint(values[middle - 1], values[middle])
+    }
+}
+
+fn whole(run: &Statistics) -> f64 {
+    run.whole_milliseconds
+}
+
+fn shading(run: &Statistics) -> f64 {
+    run.shading_milliseconds
+}
+
+/// The median of one figure, and of its ratio to the baseline's in the same turn.
+fn figure(of: &Contender, baseline: &Contender, figure: fn(&Statistics) -> f64) -> (f64, f64) {
+    let values = of.runs.iter().map(figure).collect();
+    let turns = of.runs.iter().zip(&baseline.runs);
+    let ratios = turns.map(|(run, base)| figure(run) / figure(base)).collect();
+    (median(values), median(ratios))
+}
+
+fn rays(of: &Contender) -> u64 {
+    of.runs.last().map_or(0, |run| {
+        let rays = &run.rays;
+        rays.eye + rays.reflection + rays.refraction + rays.transparent + rays.probe + rays.shadow
+    })
+}
+
+fn name(engine: EngineChoice) -> String {
+    engine.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+}
+
+fn table(arguments: &Arguments, contenders: &[Contender]) -> String {
+    let baseline = &contenders[0];
+    let settings = settings(arguments, &baseline.picture);
+    let threads = baseline.runs.last().map_or(0, |run| run.threads);
+    let mut text = format!(
+        "{}: {}x{}, {} samples, {threads} threads, median of {} runs\n\n\
+         | engine | shading ms | to walk | whole ms | to walk | rays |\n\
+         | --- | ---: | ---: | ---: | ---: | ---: |\n",
+        arguments.file.display(),
+        settings.width,
+        settings.height,
+        settings.samples,
+        arguments.runs,
+    );
+    for of in contenders {
+        let (shading, shading_ratio) = figure(of, baseline, shading);
+        let (whole, whole_ratio) = figure(of, baseline, whole);
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "| {} | {shading:.0} | {shading_ratio:.2} | {whole:.0} | {whole_ratio:.2} | {} |",
+            name(of.engine),
+            rays(of),
+        );
+    }
+    text
+}
+
+fn write(folder: &PathBuf, arguments: &Arguments, contenders: &[Contender]) -> Result<(), Failure> {
+    let material = arguments.file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    let rows: Vec<_> = contenders
+        .iter()
+        .map(|of| {
+            json!({
+                "material": material,
+                "engine": name(of.engine),
+                "threads": of.runs.last().map_or(0, |run| run.threads),
+                "whole_ms": figure(of, &contenders[0], whole).0,
+                "shading_ms": figure(of, &contenders[0], shading).0,
+                "rays": rays(of),
+            })
+        })
+        .collect();
+    let path = folder.join("render.json");
+    let text = format!("{:#}\n", json!({ "version": 1, "rows": rows }));
+    std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text)).map_err(|error| {
+        Failure::new(format!("-o {}: {error}", path.display()), "name another folder")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::median;
+
+    #[test]
+    fn medians_lie_in_the_middle() {
+        assert_eq!(median(vec![3.0, 1.0, 9.0]), 3.0);
+        assert_eq!(median(vec![4.0, 1.0, 2.0, 9.0]), 3.0);
+    }
+}
