@@ -25,8 +25,12 @@ struct Layout<'d> {
 impl Layout<'_> {
     /// Writes a value at a nesting depth; `before` characters stand on its line already.
     fn write(&mut self, value: &Value, depth: usize, before: usize) {
-        let keep_open = depth == 0 || (depth == 1 && matches!(value.kind, ValueKind::Object(_)));
-        if !keep_open || is_short(value) {
+        let keep_open = match (depth, &value.kind) {
+            (0, ValueKind::Object(members)) => !members.is_empty(),
+            (1, ValueKind::Object(_)) => !is_short(value),
+            _ => false,
+        };
+        if !keep_open {
             let mut line = String::new();
             if write_line(&mut line, value, WIDTH.saturating_sub(before)) {
                 self.text.push_str(&line);
@@ -80,21 +84,14 @@ impl Layout<'_> {
     }
 }
 
-/// Whether a value that is kept open elsewhere may stand on one line: it is empty, or one leaf or
-/// connection.
+/// Whether an object one level below the file may stand on one line: it is empty, or one leaf,
+/// connection or the like.
 fn is_short(value: &Value) -> bool {
-    match &value.kind {
-        ValueKind::Object(members) => {
-            members.is_empty()
-                || members.len() == 1
-                    && members[0]
-                        .value
-                        .members()
-                        .iter()
-                        .all(|inner| inner.value.members().is_empty())
-        }
-        ValueKind::Array(elements) => elements.is_empty(),
-        _ => true,
+    let flat = |inner: &Value| inner.members().iter().all(|it| it.value.members().is_empty());
+    match value.members() {
+        [] => true,
+        [one] => flat(&one.value),
+        _ => false,
     }
 }
 
