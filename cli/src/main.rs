@@ -13,7 +13,9 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{bench, check, compare, eval, explain, fmt, nodes, render, schema, show};
+use crate::commands::{
+    bench, check, compare, eval, explain, fmt, lsp, nodes, render, schema, show,
+};
 use crate::failure::{Failure, Outcome};
 
 /// Reads shader graphs, checks them, compiles them and renders pictures with them.
@@ -38,6 +40,7 @@ enum Command {
     Eval(eval::Arguments),
     Explain(explain::Arguments),
     Fmt(fmt::Arguments),
+    Lsp(lsp::Arguments),
     Nodes(nodes::Arguments),
     Render(render::Arguments),
     Schema(schema::Arguments),
@@ -73,6 +76,7 @@ fn run(command: Command) -> Result<Outcome, Failure> {
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Fmt(arguments) => fmt::run(&arguments),
+        Command::Lsp(arguments) => lsp::run(&arguments),
         Command::Nodes(arguments) => nodes::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),

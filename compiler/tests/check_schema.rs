@@ -2,10 +2,20 @@
 //!
 //! `PHENOMENON_BLESS=1 cargo test -p phenomenon-compiler --test check_schema` writes it anew.
 
-use std::path::Path;
+mod json_schema;
 
+use std::path::{Path, PathBuf};
+
+use json_schema::suits;
+use phenomenon_compiler::check::check_graph;
+use phenomenon_compiler::diagnostics::Code;
+use phenomenon_compiler::document::read;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::schema::file_schema;
+
+fn schema() -> serde_json::Value {
+    serde_json::from_str(&file_schema(&NodeLibrary::standard())).unwrap()
+}
 
 #[test]
 fn the_schema_is_in_sync() {
@@ -21,7 +31,7 @@ fn the_schema_is_in_sync() {
 #[test]
 fn every_node_and_input_is_in_the_schema() {
     let library = NodeLibrary::standard();
-    let whole: serde_json::Value = serde_json::from_str(&file_schema(&library)).unwrap();
+    let whole = schema();
     let node = &whole["definitions"]["node"];
     let choices = node["allOf"].as_array().unwrap();
     assert_eq!(choices.len(), library.iter().count());
@@ -38,4 +48,70 @@ fn every_node_and_input_is_in_the_schema() {
             assert!(whole.pointer(pointer).is_some(), "{reference}");
         }
     }
+}
+
+fn json_files(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut pending = vec![folder.to_owned()];
+    while let Some(folder) = pending.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                pending.push(path);
+            } else if path.extension().is_some_and(|it| it == "json")
+                && !path.ends_with("schema.json")
+            {
+                found.push(path);
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn shipped_files_suit_the_schema() {
+    let schema = schema();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut files = json_files(&root.join("scenes"));
+    files.extend(
+        json_files(&root.join("graphs"))
+            .into_iter()
+            .filter(|path| !path.to_string_lossy().contains("broken")),
+    );
+    assert!(files.len() >= 7, "{files:?}");
+    for path in files {
+        let file = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+        assert!(suits(&schema, &schema, &file), "{}", path.display());
+    }
+}
+
+/// What a schema can say: kinds, keys and words, not what names refer to.
+const STRUCTURAL: [Code; 9] = [
+    Code::NOT_A_GRAPH,
+    Code::WRONG_KIND,
+    Code::UNKNOWN_KEY,
+    Code::MISSING_KEY,
+    Code::UNKNOWN_NODE_TYPE,
+    Code::UNKNOWN_INPUT,
+    Code::MISSING_INPUT,
+    Code::UNKNOWN_ROOT,
+    Code::MISSING_ROOT,
+];
+
+#[test]
+fn structural_mistakes_do_not_suit_the_schema() {
+    let schema = schema();
+    let library = NodeLibrary::standard();
+    let mut structural = 0;
+    for path in json_files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../graphs/broken")) {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let Ok(document) = read("a", text.as_bytes()) else { continue };
+        let checked = check_graph(&document, &library);
+        if checked.findings.iter().any(|finding| STRUCTURAL.contains(&finding.code)) {
+            structural += 1;
+            let file = serde_json::from_str(&text).unwrap();
+            assert!(!suits(&schema, &schema, &file), "{}", path.display());
+        }
+    }
+    assert!(structural >= 25, "{structural}");
 }

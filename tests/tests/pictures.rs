@@ -73,8 +73,14 @@ fn by_hand(shape: &str, graph: &str) -> Scene {
 }
 
 fn picture(scene: &Scene, threads: usize, batch: usize, size: (u32, u32)) -> Rendered {
-    let settings =
-        Settings { width: size.0, height: size.1, samples: 2, threads, batch, ..Settings::default() };
+    let settings = Settings {
+        width: size.0,
+        height: size.1,
+        samples: 2,
+        threads,
+        batch,
+        ..Settings::default()
+    };
     render(scene, &settings, &|_, _| ()).unwrap()
 }
 
@@ -101,7 +107,8 @@ fn every_engine_renders_the_same_bytes_with_the_same_rays() {
                         let scene = compiled(shape, graph, options);
                         for threads in [1, 2] {
                             let rendered = picture(&scene, threads, batch, size);
-                            let what = format!("{graph} on {shape}, {options:?}, {threads} threads");
+                            let what =
+                                format!("{graph} on {shape}, {options:?}, {threads} threads");
                             assert_eq!(
                                 rendered.statistics.rays, expected.statistics.rays,
                                 "{what}"

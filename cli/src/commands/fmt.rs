@@ -9,7 +9,7 @@ use crate::report;
 use crate::terminal;
 
 /// Writes graphs and scenes in the canonical form: two spaces, short values on one line. Order,
-/// numbers and strings stay as they are.
+/// numbers, strings and single blank lines stay as they are.
 #[derive(Debug, clap::Args)]
 pub struct Arguments {
     /// The files.
@@ -28,7 +28,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Ok(document) => document,
             Err(finding) => {
                 report::tell(&[*finding], 0);
-                return Ok(Outcome::Unreadable);
+                outcome = Outcome::Unreadable;
+                continue;
             }
         };
         let text = canonical(&document);
@@ -38,7 +39,9 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let name = path.display();
         if arguments.check {
             terminal::print(&format!("{name}\n"))?;
-            outcome = Outcome::Found;
+            if outcome == Outcome::Fine {
+                outcome = Outcome::Found;
+            }
         } else {
             std::fs::write(path, text).map_err(|error| {
                 Failure::new(format!("cannot write `{name}`: {error}"), "check its permissions")

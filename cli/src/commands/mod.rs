@@ -6,6 +6,7 @@ pub mod compare;
 pub mod eval;
 pub mod explain;
 pub mod fmt;
+pub mod lsp;
 pub mod nodes;
 pub mod render;
 pub mod schema;

@@ -1,4 +1,4 @@
-//! Numeric hazards that are known from constants and from the ranges of parameters.
+//! Numeric hazards that are known from constants, and from the ranges of parameters and outputs.
 
 use std::ops::RangeInclusive;
 
@@ -15,6 +15,15 @@ enum Hazard {
     Zero,
     /// Anything below zero: the node raises it to a power.
     Negative,
+}
+
+impl Hazard {
+    fn name(self) -> &'static str {
+        match self {
+            Hazard::Zero => "0",
+            Hazard::Negative => "negative",
+        }
+    }
 }
 
 /// Inputs that are fine with every number by the conventions of `docs/numerics.md`, but mean
@@ -80,17 +89,17 @@ fn arriving(draft: &Draft<'_>, source: &Source<'_>, hazard: Hazard) -> Option<St
             // A parameter without a range of its own says nothing.
             let known = parameter.range != FINITE && holds(&parameter.range, hazard);
             let (name, range) = (shortened(&parameter.name), shown(&parameter.range));
-            known.then(|| {
-                format!(
-                    "parameter `{name}` may make {} ({range})",
-                    match hazard {
-                        Hazard::Zero => "0",
-                        Hazard::Negative => "negative",
-                    }
-                )
-            })
+            known.then(|| format!("parameter `{name}` may make {} ({range})", hazard.name()))
         }
-        SourceKind::Node(..) | SourceKind::Broken => None,
+        SourceKind::Node(node, Some(output)) => {
+            let signature = draft.library.signature(draft.nodes[node].node_type?);
+            let output = &signature.outputs[output];
+            let known = output.range != FINITE && holds(&output.range, hazard);
+            let (name, range) = (shortened(draft.name(node)), shown(&output.range));
+            let of = format!("output `{}` of node `{name}`", output.name);
+            known.then(|| format!("{of} may make {} ({range})", hazard.name()))
+        }
+        SourceKind::Node(_, None) | SourceKind::Broken => None,
     }
 }
 

@@ -9,77 +9,89 @@ const WIDTH: usize = 100;
 
 /// The document as text: two spaces a level, one member a line, but on one line what fits there
 /// (except the file itself, `interface`, `nodes` and their like one level below it). Numbers stay
-/// as written, strings are escaped only where they must be.
+/// as written, strings are escaped only where they must be, and one blank line stays one.
 pub fn canonical(document: &Document) -> String {
-    let mut text = String::new();
-    write(&mut text, &document.root, 0, 0);
-    text.push('\n');
-    text
+    let mut layout = Layout { source: &document.file.text, text: String::new() };
+    layout.write(&document.root, 0, 0);
+    layout.text.push('\n');
+    layout.text
 }
 
-/// Writes a value at a nesting depth; `before` characters stand on its line already.
-fn write(text: &mut String, value: &Value, depth: usize, before: usize) {
-    let keep_open = depth == 0 || (depth == 1 && matches!(value.kind, ValueKind::Object(_)));
-    if !keep_open || is_short(value) {
-        let mut line = String::new();
-        if write_line(&mut line, value, WIDTH.saturating_sub(before)) {
-            text.push_str(&line);
-            return;
-        }
-    }
-    let indentation = "  ".repeat(depth + 1);
-    let (open, close) =
-        if matches!(value.kind, ValueKind::Array(_)) { ('[', ']') } else { ('{', '}') };
-    let mut first = true;
-    let mut start = |text: &mut String| {
-        text.push_str(if std::mem::take(&mut first) { "\n" } else { ",\n" });
-        text.push_str(&indentation);
-    };
-    match &value.kind {
-        ValueKind::Array(elements) => {
-            text.push(open);
-            for element in elements {
-                start(text);
-                write(text, element, depth + 1, indentation.len() + 1);
-            }
-        }
-        ValueKind::Object(members) => {
-            text.push(open);
-            for member in members {
-                start(text);
-                let key = string(&member.key);
-                text.push_str(&key);
-                text.push_str(": ");
-                let before = indentation.len() + key.chars().count() + 3;
-                write(text, &member.value, depth + 1, before);
-            }
-        }
-        _ => {
-            // A leaf longer than a line is still one line.
-            write_line(text, value, usize::MAX);
-            return;
-        }
-    }
-    text.push('\n');
-    text.push_str(&"  ".repeat(depth));
-    text.push(close);
+struct Layout<'d> {
+    source: &'d str,
+    text: String,
 }
 
-/// Whether a value that is kept open elsewhere may stand on one line: it is empty, or one leaf or
-/// connection.
+impl Layout<'_> {
+    /// Writes a value at a nesting depth; `before` characters stand on its line already.
+    fn write(&mut self, value: &Value, depth: usize, before: usize) {
+        let keep_open = match (depth, &value.kind) {
+            (0, ValueKind::Object(members)) => !members.is_empty(),
+            (1, ValueKind::Object(_)) => !is_short(value),
+            _ => false,
+        };
+        if !keep_open {
+            let mut line = String::new();
+            if write_line(&mut line, value, WIDTH.saturating_sub(before)) {
+                self.text.push_str(&line);
+                return;
+            }
+        }
+        let indentation = 2 * (depth + 1);
+        let mut end_of_last = None;
+        match &value.kind {
+            ValueKind::Array(elements) => {
+                self.text.push('[');
+                for element in elements {
+                    self.start(indentation, end_of_last, element.start);
+                    self.write(element, depth + 1, indentation + 1);
+                    end_of_last = Some(element.end);
+                }
+            }
+            ValueKind::Object(members) => {
+                self.text.push('{');
+                for member in members {
+                    self.start(indentation, end_of_last, member.key_start);
+                    let key = string(&member.key);
+                    let before = indentation + key.chars().count() + 3;
+                    self.text.push_str(&key);
+                    self.text.push_str(": ");
+                    self.write(&member.value, depth + 1, before);
+                    end_of_last = Some(member.value.end);
+                }
+            }
+            _ => {
+                // A leaf longer than a line is still one line.
+                write_line(&mut self.text, value, usize::MAX);
+                return;
+            }
+        }
+        self.text.push('\n');
+        self.text.extend(std::iter::repeat_n(' ', 2 * depth));
+        self.text.push(if matches!(value.kind, ValueKind::Array(_)) { ']' } else { '}' });
+    }
+
+    /// Starts the line of an element, after a blank one where the source has any.
+    fn start(&mut self, indentation: usize, end_of_last: Option<usize>, start: usize) {
+        if let Some(end) = end_of_last {
+            self.text.push(',');
+            if self.source[end..start].matches('\n').count() > 1 {
+                self.text.push('\n');
+            }
+        }
+        self.text.push('\n');
+        self.text.extend(std::iter::repeat_n(' ', indentation));
+    }
+}
+
+/// Whether an object one level below the file may stand on one line: it is empty, or one leaf,
+/// connection or the like.
 fn is_short(value: &Value) -> bool {
-    match &value.kind {
-        ValueKind::Object(members) => {
-            members.is_empty()
-                || members.len() == 1
-                    && members[0]
-                        .value
-                        .members()
-                        .iter()
-                        .all(|inner| inner.value.members().is_empty())
-        }
-        ValueKind::Array(elements) => elements.is_empty(),
-        _ => true,
+    let flat = |inner: &Value| inner.members().iter().all(|it| it.value.members().is_empty());
+    match value.members() {
+        [] => true,
+        [one] => flat(&one.value),
+        _ => false,
     }
 }
 
@@ -142,6 +154,14 @@ mod tests {
             format(text),
             "{\n  \"b\": 1.50e+2,\n  \"a\": [],\n  \"doc\": \"éé\\n\\u0001\",\n  \"editor\": { \"x\": -0.0 }\n}\n"
         );
+    }
+
+    #[test]
+    fn one_blank_line_stays_one() {
+        let text = "{\"nodes\": {\n\n\n\"a\": 1,\n\"b\": 2,\n\n\n\n\"c\": 3\n\n}}";
+        let form = "{\n  \"nodes\": {\n    \"a\": 1,\n    \"b\": 2,\n\n    \"c\": 3\n  }\n}\n";
+        assert_eq!(format(text), form);
+        assert_eq!(format(form), form);
     }
 
     #[test]

@@ -2,6 +2,8 @@
 
 mod scene;
 
+pub use scene::check as check_scene;
+
 use std::collections::{BTreeMap, HashSet};
 use std::io::{IsTerminal, Read};
 use std::path::{Path, PathBuf};

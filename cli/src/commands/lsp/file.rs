@@ -1,0 +1,165 @@
+//! A file that is open in the editor.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use phenomenon_compiler::check::check_graph;
+use phenomenon_compiler::diagnostics::{Finding, Place, Severity, SourceFile};
+use phenomenon_compiler::document::{self, Document};
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_runtime::scene::is_scene;
+use serde_json::{Value, json};
+
+use crate::commands::check::check_scene;
+
+/// A file, its findings, and the last form of it that was JSON.
+pub struct OpenFile {
+    uri: String,
+    source: Arc<SourceFile>,
+    findings: Vec<Finding>,
+    /// What was JSON last; while one types the file mostly is not.
+    pub document: Option<Document>,
+}
+
+impl OpenFile {
+    /// Reads and checks the text of a file; `before` is what it was.
+    pub fn read(uri: &str, text: &str, before: Option<OpenFile>, library: &NodeLibrary) -> Self {
+        let path = path_of(uri);
+        let (document, findings) =
+            match document::read(&path.display().to_string(), text.as_bytes()) {
+                Ok(document) => {
+                    let findings = if is_scene(&document) {
+                        let folder = path.parent().unwrap_or(Path::new(""));
+                        check_scene(&document, folder, library)
+                    } else {
+                        check_graph(&document, library).findings
+                    };
+                    (Some(document), findings)
+                }
+                Err(finding) => (before.and_then(|before| before.document), vec![*finding]),
+            };
+        let source = Arc::new(SourceFile::new(path.display().to_string(), text));
+        Self { uri: uri.into(), source, findings, document }
+    }
+
+    /// The text as it is now.
+    pub fn text(&self) -> &str {
+        &self.source.text
+    }
+
+    /// The byte at a position, whose characters count in UTF-16.
+    pub fn byte_of(&self, position: &Value) -> usize {
+        let line = position["line"].as_u64().unwrap_or(0) as usize;
+        let mut left = position["character"].as_u64().unwrap_or(0) as usize;
+        let text = self.text();
+        let start = match line {
+            0 => 0,
+            line => text.match_indices('\n').nth(line - 1).map_or(text.len(), |(at, _)| at + 1),
+        };
+        for (at, character) in text[start..].char_indices() {
+            if left == 0 || character == '\n' {
+                return start + at;
+            }
+            left = left.saturating_sub(character.len_utf16());
+        }
+        text.len()
+    }
+
+    /// The findings as the protocol has them.
+    pub fn diagnostics(&self) -> Vec<Value> {
+        self.findings.iter().map(|finding| self.diagnostic(finding)).collect()
+    }
+
+    fn diagnostic(&self, finding: &Finding) -> Value {
+        let own = finding.place.file.name == self.source.name;
+        let message = match (own, finding.help.as_str()) {
+            (false, _) => format!("in a file it uses: {finding}"),
+            (true, "") => finding.message.clone(),
+            (true, help) => format!("{}\n{help}", finding.message),
+        };
+        let nowhere = json!({ "line": 0, "character": 0 });
+        let range = match own {
+            true => range(&finding.place),
+            // Shown at the top: the place itself is in another file.
+            false => json!({ "start": nowhere, "end": nowhere }),
+        };
+        let related = finding.related.iter().map(|related| {
+            let uri = match related.place.file.name == self.source.name {
+                true => self.uri.clone(),
+                false => format!("file://{}", related.place.file.name),
+            };
+            json!({
+                "location": { "uri": uri, "range": self::range(&related.place) },
+                "message": related.message,
+            })
+        });
+        json!({
+            "range": range,
+            "severity": match finding.severity {
+                Severity::Error => 1,
+                Severity::Warning => 2,
+                Severity::Note => 3,
+            },
+            "code": finding.code.0,
+            "source": "phenomenon",
+            "message": message,
+            "relatedInformation": related.collect::<Vec<Value>>(),
+        })
+    }
+}
+
+fn range(place: &Place) -> Value {
+    json!({ "start": position(&place.file, place.start), "end": position(&place.file, place.end) })
+}
+
+fn position(file: &SourceFile, byte: usize) -> Value {
+    let byte = file.text.floor_char_boundary(byte);
+    let (line, _) = file.line_column(byte);
+    let start = file.text[..byte].rfind('\n').map_or(0, |at| at + 1);
+    json!({ "line": line - 1, "character": file.text[start..byte].encode_utf16().count() })
+}
+
+/// The path of a `file:` address, its escapes undone; another address as it is.
+fn path_of(uri: &str) -> PathBuf {
+    let Some(escaped) = uri.strip_prefix("file://") else { return PathBuf::from(uri) };
+    let mut bytes = Vec::with_capacity(escaped.len());
+    let mut rest = escaped.as_bytes();
+    while let Some((&byte, tail)) = rest.split_first() {
+        let escape = tail.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
+        match escape.and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
+            Some(escaped) if byte == b'%' => {
+                bytes.push(escaped);
+                rest = &tail[2..];
+            }
+            _ => {
+                bytes.push(byte);
+                rest = tail;
+            }
+        }
+    }
+    PathBuf::from(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn addresses_become_paths() {
+        assert_eq!(path_of("file:///a%20b/%C3%A9.json"), PathBuf::from("/a b/é.json"));
+        assert_eq!(path_of("file:///100%"), PathBuf::from("/100%"));
+        assert_eq!(path_of("untitled:1"), PathBuf::from("untitled:1"));
+    }
+
+    #[test]
+    fn positions_count_in_utf_16() {
+        let library = NodeLibrary::standard();
+        let file = OpenFile::read("file:///a.json", "{\n\"😀é\": 1 }", None, &library);
+        let at = |line: u64, character: u64| {
+            file.byte_of(&json!({ "line": line, "character": character }))
+        };
+        assert_eq!((at(0, 0), at(0, 9), at(1, 0), at(1, 1)), (0, 1, 2, 3));
+        assert_eq!((at(1, 3), at(1, 4), at(9, 9)), (7, 9, file.text().len()));
+        assert_eq!(position(&file.source, 9), json!({ "line": 1, "character": 4 }));
+    }
+}
