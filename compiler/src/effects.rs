@@ -129,7 +129,8 @@ pub trait Renderer {
         samples: &mut [LightSample],
     );
 
-    /// What sample `iteration` of `list` sends to each point, after shadows (r, g, b).
+    /// What sample `iteration` of `list` sends to each point, after shadows (r, g, b), divided by the
+    /// number of samples of its light: a loop only adds.
     fn light_colors(
         &mut self,
         list: LightList,

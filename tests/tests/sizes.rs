@@ -5,7 +5,7 @@ use std::time::Instant;
 use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
 use phenomenon_compiler::graph::{Binding, RootKind};
 use phenomenon_compiler::nodes::Type;
-use phenomenon_compiler::specialise::{SpecialiseError, expand};
+use phenomenon_compiler::specialise::{MAX_NESTED_LOOPS, SpecialiseError, expand};
 use phenomenon_compiler::state::{RayType, State};
 use phenomenon_tests::build::{Build, Built, color, scalar, vector};
 use phenomenon_tests::differential::{Outcome, outcome};
@@ -140,6 +140,33 @@ fn scopes_that_double_end_in_an_error() {
         );
     }
     agree("10 doublings", &doubling_scopes(10));
+}
+
+/// Loops in loops, each under a normal that the light of the one outside gives.
+fn nested_loops(levels: usize) -> Built {
+    let mut build = Build::new();
+    let light = build.node("light", &[]);
+    let mut body = build.node("lambert", &[]).first();
+    for level in 1..=levels {
+        let sum = build.node("light_loop", &[("body", body.clone())]).first();
+        if level == levels {
+            return build.material(sum);
+        }
+        let inputs = [("normal", light.output("direction")), ("input", sum)];
+        body = build.node("perturb_normal", &inputs).first();
+    }
+    build.material(body)
+}
+
+#[test]
+fn loops_in_loops_end_in_an_error_before_they_never_end() {
+    agree("as many loops as may be", &nested_loops(MAX_NESTED_LOOPS));
+    let built = nested_loops(MAX_NESTED_LOOPS + 1);
+    let found = Shader::new(built.graph, built.library, &[], Options::default());
+    assert!(
+        matches!(found, Err(ShaderError::Specialise(SpecialiseError::TooManyLoops { .. }))),
+        "{found:?}"
+    );
 }
 
 #[test]

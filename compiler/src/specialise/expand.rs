@@ -20,6 +20,9 @@ use super::{
 /// Most instances of one root.
 pub const MAX_INSTANCES: usize = 1 << 20;
 
+/// Most light loops round an evaluation.
+pub const MAX_NESTED_LOOPS: usize = 4;
+
 /// Specialises `graph` for a root of it, a ray type, and the values of its parameters.
 pub fn expand(
     graph: &Graph,
@@ -356,6 +359,12 @@ impl Builder<'_> {
                 self.result.epochs.open(epoch, &name, changes, entered)
             }
             Kind::LightLoop => {
+                if self.result.epochs.0[epoch].loops.len() >= MAX_NESTED_LOOPS {
+                    return Err(SpecialiseError::TooManyLoops {
+                        limit: MAX_NESTED_LOOPS,
+                        node: name,
+                    });
+                }
                 let list = self.light_list(view);
                 let fields = self.slots(4);
                 let kind = EpochKind::Loop { fields, list };

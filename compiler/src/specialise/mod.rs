@@ -10,7 +10,7 @@ mod uniforms;
 mod views;
 
 pub use epochs::{Epoch, EpochId, EpochKind, Epochs};
-pub use expand::{MAX_INSTANCES, expand, mix_key};
+pub use expand::{MAX_INSTANCES, MAX_NESTED_LOOPS, expand, mix_key};
 pub use instances::{
     Context, Demand, Guard, Instance, InstanceId, InstanceKind, LightTable, Specialised,
 };
@@ -29,6 +29,17 @@ pub enum SpecialiseError {
         /// The limit, [`MAX_INSTANCES`].
         limit: usize,
         /// A node that was being expanded.
+        node: String,
+    },
+    /// Loops in loops run their bodies for every combination of light samples.
+    #[error(
+        "`{node}` is the body of more than {limit} light loops, one inside the other, each over the \
+         light of the one outside; take it out of some"
+    )]
+    TooManyLoops {
+        /// The limit, [`MAX_NESTED_LOOPS`].
+        limit: usize,
+        /// The innermost loop.
         node: String,
     },
     /// The graph was not made for this library, or was not checked.

@@ -9,8 +9,9 @@ pub fn definition() -> Definition {
             name: "light_loop",
             group: "scopes",
             doc: "Evaluates `body` once for every light sample that can reach the point and sums the \
-                  colours, in the order of the lights, then of their samples, in 32 bits. Each light's \
-                  sum is divided by its number of samples. Alpha is 1."
+                  colours, in the order of the lights, then of their samples, in 32 bits. A \
+                  sample's colour is that of its light divided by the light's number of samples. \
+                  Alpha is 1."
                 .into(),
             source: "mental ray manual, mi_sample_light",
             inputs: vec![
