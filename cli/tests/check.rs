@@ -199,3 +199,42 @@ fn fmt_writes_the_canonical_form_once() {
     run(&["fmt", name], None, 2);
     assert_eq!(std::fs::read_to_string(&path).unwrap(), "{", "what cannot be read is not written");
 }
+
+#[test]
+fn scenes_are_checked_with_their_graphs() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.json");
+    let graphs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../graphs").canonicalize().unwrap();
+    let scene = |mirror: &str, set: &str, sky: &str| {
+        let text = format!(
+            r#"{{ "scene": "s", "camera": {{ "position": [0, 1, 5], "look_at": [0, 0, 0] }},
+  "objects": [{{ "sphere": {{ "radius": 1 }}, "material": {{ "file": {mirror:?}, "set": {{ {set} }} }} }}],
+  "environment": {{ "file": {sky:?} }} }}"#
+        );
+        std::fs::write(&path, text).unwrap();
+    };
+    let name = path.to_str().unwrap();
+    let file = |name: &str| graphs.join(name).to_str().unwrap().to_owned();
+    let (mirror, sky) = (file("mirror/tinted_mirror.json"), file("sky/gradient_sky.json"));
+    let codes = |exit: i32| -> Vec<String> {
+        let report = run(&["check", "--format", "json", name], None, exit);
+        let report: Value = serde_json::from_str(&report).unwrap();
+        let findings = report["findings"].as_array().unwrap();
+        findings.iter().map(|finding| finding["code"].as_str().unwrap().to_owned()).collect()
+    };
+    scene(&mirror, "", &sky);
+    assert!(codes(0).is_empty());
+    scene(&mirror, "\"ior\": 99", &sky);
+    assert_eq!(codes(1), ["number-out-of-range"]);
+    scene(&mirror, "\"tnit\": 1", &sky);
+    assert_eq!(codes(1), ["unknown-parameter"]);
+    scene(&mirror, "\"ior\": [1, 2]", &sky);
+    assert_eq!(codes(1), ["type-mismatch"]);
+    scene(&sky, "", &mirror);
+    assert_eq!(codes(1), ["missing-root", "missing-root"]);
+    scene(&file("broken/cycle_of_two.json"), "", &sky);
+    assert_eq!(codes(1), ["cycle"]);
+    scene("nowhere.json", "", &sky);
+    let report = run(&["check", name], None, 2);
+    assert!(report.contains("nowhere.json"), "{report}");
+}

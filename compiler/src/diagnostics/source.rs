@@ -2,6 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
+/// Bytes between two entries of [`Index::characters`].
+const BLOCK: usize = 4096;
+
 /// A text file that findings point into.
 #[derive(Debug, Default)]
 pub struct SourceFile {
@@ -9,14 +12,23 @@ pub struct SourceFile {
     pub name: String,
     /// Its text.
     pub text: String,
-    /// Byte at which each line starts, found when first asked for: a file may have a million
-    /// findings, and each must not count lines anew.
-    line_starts: OnceLock<Vec<usize>>,
+    /// Made when first asked for.
+    index: OnceLock<Index>,
+}
+
+/// What makes a place quick to find: a file may have thousands of findings, or be one line of many
+/// megabytes, and no finding must count all that is before it.
+#[derive(Debug)]
+struct Index {
+    /// Byte at which each line starts.
+    line_starts: Vec<usize>,
+    /// Characters before each block of bytes.
+    characters: Vec<usize>,
 }
 
 impl PartialEq for SourceFile {
     fn eq(&self, other: &Self) -> bool {
-        self.name == other.name && self.text == other.text
+        std::ptr::eq(self, other) || (self.name == other.name && self.text == other.text)
     }
 }
 
@@ -25,20 +37,45 @@ impl Eq for SourceFile {}
 impl SourceFile {
     /// A file of that name and text.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
-        Self { name: name.into(), text: text.into(), line_starts: OnceLock::new() }
+        Self { name: name.into(), text: text.into(), index: OnceLock::new() }
     }
 
     /// Line and column of a byte, from 1; columns count characters.
     pub fn line_column(&self, byte: usize) -> (usize, usize) {
         let byte = self.text.floor_char_boundary(byte);
-        let starts = self.line_starts.get_or_init(|| {
-            let breaks = self.text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
-            std::iter::once(0).chain(breaks.map(|(at, _)| at + 1)).collect()
-        });
-        let line = starts.partition_point(|&start| start <= byte);
-        let start = starts[line - 1];
-        (line, self.text[start..byte].chars().count() + 1)
+        let index = self.index();
+        let line = index.line_starts.partition_point(|&start| start <= byte);
+        let start = index.line_starts[line - 1];
+        (line, self.characters_before(byte) - self.characters_before(start) + 1)
     }
+
+    fn index(&self) -> &Index {
+        self.index.get_or_init(|| {
+            let bytes = self.text.as_bytes();
+            let breaks = bytes.iter().enumerate().filter(|(_, byte)| **byte == b'\n');
+            let mut characters = vec![0];
+            let mut before = 0;
+            for block in bytes.chunks(BLOCK) {
+                before += count_characters(block);
+                characters.push(before);
+            }
+            Index {
+                line_starts: std::iter::once(0).chain(breaks.map(|(at, _)| at + 1)).collect(),
+                characters,
+            }
+        })
+    }
+
+    fn characters_before(&self, byte: usize) -> usize {
+        let block = byte / BLOCK;
+        let rest = &self.text.as_bytes()[block * BLOCK..byte];
+        self.index().characters[block] + count_characters(rest)
+    }
+}
+
+/// Characters that start in a piece of UTF-8.
+fn count_characters(bytes: &[u8]) -> usize {
+    bytes.iter().filter(|byte| (**byte & 0xc0) != 0x80).count()
 }
 
 /// A range of bytes of a file.
@@ -74,5 +111,29 @@ impl Place {
     /// Number of characters in the range.
     pub fn length(&self) -> usize {
         self.text().chars().count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_and_columns_are_counted_in_characters() {
+        let text = format!("é😀\r\n{}x\n", "é".repeat(3 * BLOCK));
+        let file = SourceFile::new("a", text.as_str());
+        assert_eq!(file.line_column(0), (1, 1));
+        assert_eq!(file.line_column(2), (1, 2));
+        assert_eq!(file.line_column(4), (1, 2), "within a character");
+        assert_eq!(file.line_column(8), (2, 1));
+        for (line, line_text) in text.split('\n').enumerate() {
+            let start = text.split('\n').take(line).map(|line| line.len() + 1).sum::<usize>();
+            for (column, (at, _)) in line_text.char_indices().enumerate().step_by(97) {
+                assert_eq!(file.line_column(start + at), (line + 1, column + 1));
+            }
+        }
+        let end = (3, 1);
+        assert_eq!((file.line_column(text.len()), file.line_column(usize::MAX)), (end, end));
+        assert_eq!(SourceFile::new("", "").line_column(9), (1, 1));
     }
 }
