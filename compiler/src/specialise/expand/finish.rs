@@ -1,0 +1,209 @@
+//! Making instances of nodes whose inputs are all there, and opening scopes and loops.
+
+use crate::effects::Effect;
+use crate::nodes::{Code, Kind, Literal};
+use crate::specialise::epochs::path_key;
+use crate::specialise::reads::{LIGHT_LOOP_READS, light_fields};
+use crate::specialise::views::{Resolved, inconsistent};
+use crate::specialise::{
+    Context, Demand, EpochId, EpochKind, FieldSet, InstanceKind, LightTable, SpecialiseError,
+    Uniforms,
+};
+use crate::state::Field;
+
+use super::{Builder, Built, Frame, MAX_NESTED_LOOPS, mix_key};
+
+impl Builder<'_> {
+    /// The epoch in which the frame's scoped input is evaluated; opened the first time.
+    pub(super) fn inside(&mut self, frame: &mut Frame) -> Result<EpochId, SpecialiseError> {
+        if let Some(inside) = frame.inside {
+            return Ok(inside);
+        }
+        let (view, epoch) = frame.key;
+        let name = self.views.name(view).to_owned();
+        let inside = match &self.views.signature(view).kind {
+            Kind::Scope(fields) => {
+                let entered = self.enter(frame, fields)?;
+                let changes = fields.iter().copied().collect();
+                self.result.epochs.open(epoch, &name, changes, entered)
+            }
+            Kind::LightLoop => {
+                if self.result.epochs.0[epoch].loops.len() >= MAX_NESTED_LOOPS {
+                    return Err(SpecialiseError::TooManyLoops {
+                        limit: MAX_NESTED_LOOPS,
+                        node: name,
+                    });
+                }
+                let list = self.light_list(view);
+                let fields = self.slots(4);
+                let kind = EpochKind::Loop { fields, list };
+                self.result.epochs.open(epoch, &name, light_fields(), kind)
+            }
+            _ => return Err(inconsistent(&name, "it has a scoped input but opens no scope")),
+        };
+        frame.inside = Some(inside);
+        Ok(inside)
+    }
+
+    /// The body of a scope: an instance, or uniform words, that yields the changed fields.
+    fn enter(&mut self, frame: &mut Frame, fields: &[Field]) -> Result<EpochKind, SpecialiseError> {
+        let (view, epoch) = frame.key;
+        let name = self.views.name(view).to_owned();
+        let Some(code) = self.views.overload(view).code else {
+            return Err(inconsistent(&name, "a scope has no body"));
+        };
+        let zero = self.result.uniforms.constant(0);
+        let mut words = std::mem::take(&mut frame.words);
+        words.resize(self.views.input_words(view), zero);
+        let demands = std::mem::take(&mut frame.demands);
+        let changed = match Uniforms::positions(&words) {
+            Some(inputs) if demands.is_empty() => {
+                Built { words: self.result.uniforms.compute(code, inputs), demand: None }
+            }
+            _ => {
+                let kind = InstanceKind::Plain(code);
+                let outputs = code.outputs as u32;
+                let id = self.add(&name, kind, epoch, demands, words, outputs)?;
+                self.of_instance(id)
+            }
+        };
+        let mut rest = changed.words.as_slice();
+        let mut by_field = Vec::new();
+        for &field in fields {
+            let (words, after) = rest.split_at(field.value_type().width());
+            by_field.push((field, words.to_vec()));
+            rest = after;
+        }
+        Ok(EpochKind::Scope { enter: changed.demand, fields: by_field })
+    }
+
+    fn light_list(&mut self, view: usize) -> usize {
+        let names =
+            (0..self.views.inputs(view)).find_map(|input| match self.views.resolve(view, input) {
+                Resolved::Literal(Literal::Lights(names)) => Some(names),
+                Resolved::Parameter(parameter) => match &self.values[parameter] {
+                    Literal::Lights(names) => Some(names.clone()),
+                    _ => None,
+                },
+                _ => None,
+            });
+        let names = names.unwrap_or_default();
+        let known = self.result.light_lists.iter().position(|list| *list == names);
+        known.unwrap_or_else(|| {
+            self.result.light_lists.push(names);
+            self.result.light_lists.len() - 1
+        })
+    }
+
+    /// Makes the node of a frame whose inputs are all there.
+    pub(super) fn finish(&mut self, mut frame: Frame) -> Result<(), SpecialiseError> {
+        let (view, epoch) = frame.key;
+        let name = self.views.name(view).to_owned();
+        let is_root = view == self.views.root();
+        let built = match &self.views.signature(view).kind {
+            Kind::Plain => {
+                let Some(code) = self.views.overload(view).code else {
+                    return Err(inconsistent(&name, "a plain node has no body"));
+                };
+                self.plain(code, frame, &name, is_root)?
+            }
+            Kind::Request(effect) => self.request(*effect, frame, &name)?,
+            Kind::Scope(_) => {
+                if frame.inside.is_none() {
+                    return Err(inconsistent(&name, "a scope has no scoped input"));
+                }
+                // What is left in the frame came from the scoped input, which comes last.
+                Built {
+                    demand: frame.demands.pop().map(|demand| demand.source),
+                    words: frame.words,
+                }
+            }
+            Kind::LightLoop => self.light_loop(frame, &name)?,
+            Kind::Fields(_) => {
+                return Err(inconsistent(&name, "the fields of the state are not evaluated"));
+            }
+        };
+        self.built.insert((view, epoch), built);
+        Ok(())
+    }
+
+    fn plain(
+        &mut self,
+        code: Code,
+        frame: Frame,
+        name: &str,
+        is_root: bool,
+    ) -> Result<Built, SpecialiseError> {
+        let foldable = frame.demands.is_empty() && !is_root;
+        if let (Some(inputs), true) = (Uniforms::positions(&frame.words), foldable) {
+            let words = self.result.uniforms.compute(code, inputs);
+            return Ok(Built { words, demand: None });
+        }
+        let Frame { key: (_, epoch), words, demands, .. } = frame;
+        let outputs = code.outputs as u32;
+        let id = self.add(name, InstanceKind::Plain(code), epoch, demands, words, outputs)?;
+        Ok(self.of_instance(id))
+    }
+
+    fn request(
+        &mut self,
+        effect: Effect,
+        frame: Frame,
+        name: &str,
+    ) -> Result<Built, SpecialiseError> {
+        let Frame { key: (view, epoch), words, mut demands, .. } = frame;
+        let context = self.context(epoch, effect.reads(), &mut demands);
+        let table = (effect == Effect::LightColor).then(|| self.table(epoch)).flatten();
+        let key = path_key(self.result.epochs.0[epoch].path_key, name);
+        let loops = self.result.epochs.0[epoch].loops.clone();
+        let kind = InstanceKind::Request { effect, context, site: mix_key(key), loops, table };
+        let outputs = (0..self.views.signature(view).outputs.len())
+            .map(|output| self.views.output_type(view, output).width())
+            .sum::<usize>();
+        let id = self.add(name, kind, epoch, demands, words, outputs as u32)?;
+        Ok(self.of_instance(id))
+    }
+
+    /// The table in which light colours asked for in `epoch` are kept.
+    fn table(&mut self, epoch: EpochId) -> Option<usize> {
+        let in_loop = self.result.epochs.innermost_loop(epoch)?;
+        let EpochKind::Loop { list, .. } = self.result.epochs.0[in_loop].kind else { return None };
+        // From the request outwards: a scope inside the loop that moves the point has its own table.
+        let reads: FieldSet = LIGHT_LOOP_READS.into_iter().collect();
+        let table = LightTable { list, epoch: self.result.epochs.effective(epoch, reads) };
+        let known = self.result.tables.iter().position(|of| *of == table);
+        Some(known.unwrap_or_else(|| {
+            self.result.tables.push(table);
+            self.result.tables.len() - 1
+        }))
+    }
+
+    /// Fields that scopes round `epoch` changed, among those read; their makers are demanded too.
+    fn context(&mut self, epoch: EpochId, reads: &[Field], demands: &mut Vec<Demand>) -> Context {
+        let mut context = Vec::new();
+        for &field in reads.iter().filter(|field| !field.is_of_light()) {
+            if self.result.epochs.changed_in(epoch, field).is_none() {
+                continue;
+            }
+            let built = self.field(field, epoch);
+            if let Some(source) = built.demand {
+                demands.push(Demand { source, guard: None });
+            }
+            context.push((field, built.words));
+        }
+        context
+    }
+
+    fn light_loop(&mut self, mut frame: Frame, name: &str) -> Result<Built, SpecialiseError> {
+        let inside = self.inside(&mut frame)?;
+        let Frame { key: (_, epoch), words, mut demands, .. } = frame;
+        let EpochKind::Loop { fields, list } = self.result.epochs.0[inside].kind else {
+            return Err(inconsistent(name, "it opened no loop"));
+        };
+        let body = demands.pop().map(|demand| demand.source);
+        let context = self.context(epoch, &LIGHT_LOOP_READS, &mut demands);
+        let kind = InstanceKind::Loop { epoch: inside, list, fields, body, words, context };
+        let id = self.add(name, kind, epoch, demands, Vec::new(), 4)?;
+        Ok(self.of_instance(id))
+    }
+}

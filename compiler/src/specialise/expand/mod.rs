@@ -1,0 +1,217 @@
+//! From views of nodes to instances: each (node, epoch) that can be demanded, built once, inputs
+//! first. Works off an explicit stack, so that no chain is too long.
+
+mod finish;
+mod values;
+
+use std::collections::HashMap;
+
+use crate::engine::lanes::Source;
+use crate::graph::{Graph, Root};
+use crate::nodes::{Literal, NodeLibrary, Type};
+use crate::state::RayType;
+
+use super::reads::reads;
+use super::views::Views;
+use super::{
+    Demand, EpochId, Epochs, FieldSet, Guard, Instance, InstanceId, InstanceKind, SpecialiseError,
+    Specialised, Uniforms,
+};
+
+/// Most instances of one root.
+pub const MAX_INSTANCES: usize = 1 << 20;
+
+/// Most light loops round an evaluation.
+pub const MAX_NESTED_LOOPS: usize = 4;
+
+/// Specialises `graph` for a root of it, a ray type, and the values of its parameters.
+pub fn expand(
+    graph: &Graph,
+    library: &NodeLibrary,
+    root: &Root,
+    ray_type: RayType,
+    values: &[Literal],
+) -> Result<Specialised, SpecialiseError> {
+    let views = Views::new(graph, library, root)?;
+    let reads = reads(&views)?;
+    let mut builder = Builder {
+        views: &views,
+        reads: &reads,
+        ray_type,
+        values,
+        built: HashMap::new(),
+        conversions: HashMap::new(),
+        result: Specialised {
+            instances: Vec::new(),
+            epochs: Epochs::new(),
+            uniforms: Uniforms::default(),
+            fields: Vec::new(),
+            reads_ray_type: false,
+            slots: 0,
+            light_lists: Vec::new(),
+            tables: Vec::new(),
+        },
+    };
+    builder.run()?;
+    Ok(builder.result)
+}
+
+/// A node in an epoch.
+type Key = (usize, EpochId);
+
+/// A node that is built: its output words, and the instance to demand before reading them.
+#[derive(Clone)]
+struct Built {
+    words: Vec<Source>,
+    demand: Option<InstanceId>,
+}
+
+/// A node being built: what is known of its inputs so far.
+struct Frame {
+    key: Key,
+    next: usize,
+    /// The guard of input `next`, once it was looked at.
+    guard: Option<GuardState>,
+    words: Vec<Source>,
+    demands: Vec<Demand>,
+    /// The epoch opened for the scoped input, with the scope's or loop's own words.
+    inside: Option<EpochId>,
+}
+
+#[derive(Clone)]
+enum GuardState {
+    Never,
+    Always,
+    Where(Guard),
+}
+
+struct Builder<'a> {
+    views: &'a Views<'a>,
+    reads: &'a [FieldSet],
+    ray_type: RayType,
+    values: &'a [Literal],
+    built: HashMap<Key, Built>,
+    conversions: HashMap<Source, InstanceId>,
+    result: Specialised,
+}
+
+impl Builder<'_> {
+    fn run(&mut self) -> Result<(), SpecialiseError> {
+        let mut stack = vec![Frame::new((self.views.root(), 0))];
+        while let Some(frame) = stack.last_mut() {
+            if self.built.contains_key(&frame.key) {
+                stack.pop();
+                continue;
+            }
+            match self.advance(frame)? {
+                Some(missing) => stack.push(Frame::new(missing)),
+                None => {
+                    let done = stack.pop();
+                    if let Some(frame) = done {
+                        self.finish(frame)?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Gathers inputs until one is missing, which is returned, or all are there.
+    fn advance(&mut self, frame: &mut Frame) -> Result<Option<Key>, SpecialiseError> {
+        let (view, epoch) = frame.key;
+        let signature = self.views.signature(view);
+        while frame.next < signature.inputs.len() {
+            let input = frame.next;
+            let to = self.views.input_type(view, input);
+            if to == Type::Lights {
+                frame.next += 1;
+                continue;
+            }
+            let guard = match &frame.guard {
+                Some(guard) => guard.clone(),
+                None => self.guard(frame),
+            };
+            frame.guard = Some(guard.clone());
+            if matches!(guard, GuardState::Never) {
+                let zero = self.result.uniforms.constant(0);
+                frame.words.extend(std::iter::repeat_n(zero, to.width()));
+            } else {
+                let scoped = signature.inputs[input].scoped;
+                let at = if scoped { self.inside(frame)? } else { epoch };
+                let value = match self.value(view, input, to, at)? {
+                    Ok(value) => value,
+                    Err(missing) => return Ok(Some(missing)),
+                };
+                frame.words.extend(&value.words);
+                if let Some(source) = value.demand {
+                    let guard = match guard {
+                        GuardState::Where(guard) => Some(guard),
+                        GuardState::Always | GuardState::Never => None,
+                    };
+                    frame.demands.push(Demand { source, guard });
+                }
+            }
+            frame.next += 1;
+            frame.guard = None;
+        }
+        Ok(None)
+    }
+
+    /// The guard of the frame's next input; decided now if it looks at uniform words only.
+    fn guard(&mut self, frame: &Frame) -> GuardState {
+        let view = frame.key.0;
+        let Some(code) = self.views.overload(view).guards[frame.next] else {
+            return GuardState::Always;
+        };
+        let zero = self.result.uniforms.constant(0);
+        let mut words = frame.words.clone();
+        words.resize(self.views.input_words(view), zero);
+        let Some(inputs) = Uniforms::positions(&words) else {
+            return GuardState::Where(Guard { code, words });
+        };
+        if self.result.uniforms.decide(code, inputs) {
+            GuardState::Always
+        } else {
+            GuardState::Never
+        }
+    }
+
+    fn slots(&mut self, count: u32) -> u32 {
+        self.result.slots += count;
+        self.result.slots - count
+    }
+
+    fn add(
+        &mut self,
+        name: &str,
+        kind: InstanceKind,
+        epoch: EpochId,
+        demands: Vec<Demand>,
+        words: Vec<Source>,
+        outputs: u32,
+    ) -> Result<InstanceId, SpecialiseError> {
+        if self.result.instances.len() >= MAX_INSTANCES {
+            let node = name.to_owned();
+            return Err(SpecialiseError::TooManyInstances { limit: MAX_INSTANCES, node });
+        }
+        let name = format!("{}{name}", self.result.epochs.path(epoch));
+        let output = self.slots(outputs);
+        self.result.instances.push(Instance { name, kind, epoch, demands, words, output, outputs });
+        Ok(self.result.instances.len() - 1)
+    }
+}
+
+impl Frame {
+    fn new(key: Key) -> Self {
+        Self { key, next: 0, guard: None, words: Vec::new(), demands: Vec::new(), inside: None }
+    }
+}
+
+/// A bijective mix of 64 bits in which every input bit moves half of the output's.
+pub fn mix_key(mut key: u64) -> u64 {
+    key ^= key >> 32;
+    key = key.wrapping_mul(0xe9846af9b1a615d);
+    key ^= key >> 32;
+    key = key.wrapping_mul(0xe9846af9b1a615d);
+    key ^ (key >> 28)
+}
