@@ -7,9 +7,9 @@ use std::time::Instant;
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::diagnostics::Place;
-use phenomenon_compiler::document::{Document, read, read_file};
+use phenomenon_compiler::document::{Document, nearest, read, read_file};
 use phenomenon_compiler::engine::{Shade, Shader};
-use phenomenon_compiler::graph::{Graph, RootKind};
+use phenomenon_compiler::graph::{Binding, Graph, RootKind};
 use phenomenon_compiler::nodes::{Literal, NodeLibrary};
 use phenomenon_runtime::monoliths;
 use phenomenon_runtime::scene::{
@@ -100,6 +100,7 @@ pub fn load(
         library,
         engine,
         subject,
+        lights: scene.lights.iter().map(|light| light.name.clone()).collect(),
         graphs: HashMap::new(),
         shaders: Vec::new(),
         milliseconds: 0.0,
@@ -169,6 +170,8 @@ fn described(path: &Path, file: SceneFile) -> Result<SceneDescription, Failure> 
 
 /// Makes shaders of the materials of a scene.
 struct Materials<'a> {
+    /// Names of the scene's lights.
+    lights: Vec<String>,
     library: &'a Arc<NodeLibrary>,
     engine: &'a EngineArguments,
     subject: Option<Subject>,
@@ -179,6 +182,42 @@ struct Materials<'a> {
 }
 
 impl Materials<'_> {
+    /// Refuses names of lights that the scene does not have: they would light nothing, unsaid.
+    fn know_lights(
+        &self,
+        graph: &Graph,
+        values: &[(String, Literal)],
+        material: &MaterialRef,
+    ) -> Result<(), Failure> {
+        let inputs = graph.nodes.iter().flat_map(|node| &node.inputs);
+        let literals = inputs.filter_map(|binding| match binding {
+            Binding::Literal(literal) => Some(literal),
+            _ => None,
+        });
+        let parameters = graph.parameters.iter().map(|parameter| {
+            let given = values.iter().find(|(name, _)| *name == parameter.name);
+            given.map_or(&parameter.default, |(_, literal)| literal)
+        });
+        for literal in literals.chain(parameters) {
+            let Literal::Lights(names) = literal else { continue };
+            let Some(unknown) = names.iter().find(|name| !self.lights.contains(name)) else {
+                continue;
+            };
+            let known = || self.lights.iter().map(String::as_str);
+            let help = match nearest(unknown, known()) {
+                Some(near) => near.help(),
+                None => format!("its lights are {}", known().collect::<Vec<_>>().join(", ")),
+            };
+            let place = shown(&material.place);
+            let message = format!(
+                "{place}: `{}` asks for the light `{unknown}`, which the scene does not have",
+                graph.name
+            );
+            return Err(Failure::new(message, help));
+        }
+        Ok(())
+    }
+
     fn shader(&mut self, material: &MaterialRef) -> Result<Arc<dyn Shade>, Failure> {
         let (graph, mut values) = match &material.source {
             MaterialSource::Subject => match &self.subject {
@@ -201,6 +240,7 @@ impl Materials<'_> {
                 values.push((set.name.clone(), literal));
             }
         }
+        self.know_lights(&graph, &values, material)?;
         match self.engine.engine.compiled() {
             Some(engine) => {
                 let start = Instant::now();

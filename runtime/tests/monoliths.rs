@@ -193,12 +193,16 @@ fn set(name: &str, value: f32) -> (String, Literal) {
 }
 
 #[test]
-fn every_shipped_graph_has_a_monolith_with_its_parameters() {
+fn every_monolith_has_a_shipped_graph_with_its_parameters() {
     let library = NodeLibrary::standard();
     let mut names = Vec::new();
     for path in graph_files() {
         let graph = read(&path, &library);
         assert!(path.file_stem().is_some_and(|stem| *stem == *graph.name), "{}", path.display());
+        if find(&graph.name, &[]).is_none() {
+            // Not every graph is written by hand.
+            continue;
+        }
         for parameter in &graph.parameters {
             let value = [(parameter.name.clone(), parameter.default.clone())];
             let found = find(&graph.name, &value).expect("it has a monolith");

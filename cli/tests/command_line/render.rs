@@ -163,6 +163,10 @@ fn what_cannot_be_rendered_leaves_no_file() {
         "nodes": { "n": { "type": "constant_color" } }, "roots": { "material": { "node": "n" } } }"#;
     let unknown = folder.file("mine.json", unknown);
     refused(&["render", &unknown, "--engine", "monolith"], &["`mine`", "advanced_glass"]);
+    let unlit = r#"{ "phenomenon": "mine", "version": 1,
+        "nodes": { "n": { "type": "light_loop", "inputs": { "lights": [{ "light": "kye" }] } } },
+        "roots": { "material": { "node": "n" } } }"#;
+    render(&folder.file("unlit.json", unlit), &["`kye`", "did you mean `key`?"]);
     let mesh = folder.file("broken.obj", "v 0 0\nf 1 2 9\n");
     let scene = format!(
         r#"{{ "scene": "a", "camera": {{ "position": [0, 0, 5], "look_at": [0, 0, 0], "field_of_view": 40 }},

@@ -120,8 +120,9 @@ impl Shader {
     }
 
     /// Sets a parameter. Compiles again only if a condition that shaped the code now falls
-    /// otherwise (a weight becomes 0, a switch turns).
+    /// otherwise (a weight becomes 0, a switch turns). After an error all is as it was.
     pub fn set(&mut self, name: &str, value: &Literal) -> Result<(), ShaderError> {
+        let before = self.values.clone();
         self.take(name, value)?;
         let values = &self.values;
         // Light lists are part of the code.
@@ -129,7 +130,15 @@ impl Shader {
         if !in_code && self.programs.iter_mut().all(|program| program.uniforms.rebind(values)) {
             return Ok(());
         }
-        self.compile()
+        let compiled = self.compile();
+        if compiled.is_err() {
+            // The programs were decided under these values, so they take them back.
+            for program in &mut self.programs {
+                let _ = program.uniforms.rebind(&before);
+            }
+            self.values = before;
+        }
+        compiled
     }
 
     /// The graph.
@@ -192,8 +201,26 @@ impl Shader {
             }
         }
         self.programs = programs;
+        if self.options.engine == Engine::Auto && JitCode::available().is_ok() {
+            self.plan_in_background();
+        }
         self.compile_nanoseconds += start.elapsed().as_nanos() as u64;
         Ok(())
+    }
+
+    /// Compiles machine code while kernels run already. A plan that fails, or a system that grants no
+    /// thread, leaves the kernels running: same bits.
+    fn plan_in_background(&self) {
+        let codes: Vec<Arc<Code>> =
+            self.programs.iter().map(|program| Arc::clone(&program.code)).collect();
+        let simd = self.options.simd;
+        let plan = move || {
+            for code in codes {
+                code.plan.get_or_init(|| code.plan(simd).ok().flatten());
+            }
+        };
+        // An error here is the system's refusal, which costs speed alone.
+        let _ = std::thread::Builder::new().name("jit".to_owned()).spawn(plan);
     }
 
     fn compile_root(&self, root: &Root, ray_type: RayType) -> Result<Compiled, ShaderError> {
@@ -208,13 +235,6 @@ impl Shader {
                     // Nobody else holds this code yet, so the lock is empty.
                     let _ = code.plan.set(Some(plan));
                 }
-            }
-            Engine::Auto if JitCode::available().is_ok() => {
-                let (code, simd) = (Arc::clone(&code), self.options.simd);
-                // A plan that fails leaves the kernels running: same bits.
-                std::thread::spawn(move || {
-                    code.plan.get_or_init(|| code.plan(simd).ok().flatten());
-                });
             }
             Engine::Auto | Engine::Walk | Engine::Batch => {}
         }

@@ -9,7 +9,7 @@
 //! A value needed past a cut is stored to a scratch slot at the end of its part and loaded where
 //! it is needed; constants and loads are repeated instead.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::{Op, OpId, Segment};
 use crate::engine::lanes::Source;
@@ -92,6 +92,10 @@ struct Splitter<'a> {
     ends: &'a [usize],
     /// The part each operation is computed in.
     home: Vec<usize>,
+    /// Slots the segment reads.
+    read: HashSet<u32>,
+    /// The stores each part performs.
+    stores: Vec<Vec<(u32, OpId)>>,
     /// The last part that needs it.
     last: Vec<usize>,
     /// The scratch slot that keeps it, once its part is done.
@@ -114,8 +118,14 @@ impl<'a> Splitter<'a> {
                 *last = home[id].max(*last);
             });
         }
+        let read = segment.sources.iter().filter_map(|source| match source {
+            Source::Slot(slot) => Some(*slot),
+            Source::Uniform(_) => None,
+        });
         let splitter = Self {
             segment,
+            read: read.collect(),
+            stores: vec![Vec::new(); ends.len()],
             ends,
             home,
             last,
@@ -130,11 +140,7 @@ impl<'a> Splitter<'a> {
     /// The part that performs a store: where its value is computed, or the last one if the slot
     /// is also read, so that every load still comes before.
     fn store_part(&self, slot: u32, id: OpId) -> usize {
-        if self.segment.sources.contains(&Source::Slot(slot)) {
-            self.ends.len() - 1
-        } else {
-            self.home[id as usize]
-        }
+        if self.read.contains(&slot) { self.ends.len() - 1 } else { self.home[id as usize] }
     }
 
     fn with_late_stores(mut self) -> Self {
@@ -142,6 +148,7 @@ impl<'a> Splitter<'a> {
             let part = self.store_part(slot, id);
             let last = &mut self.last[id as usize];
             *last = part.max(*last);
+            self.stores[part].push((slot, id));
         }
         self
     }
@@ -163,11 +170,9 @@ impl<'a> Splitter<'a> {
                 writer.push(id as OpId, op);
             }
         }
-        for &(slot, id) in &self.segment.stores {
-            if self.store_part(slot, id) == part {
-                let id = self.operand(&mut writer, id);
-                writer.segment.stores.push((slot, id));
-            }
+        for &(slot, id) in &self.stores[part] {
+            let id = self.operand(&mut writer, id);
+            writer.segment.stores.push((slot, id));
         }
         // Slots are given back only after those of this part are taken: within a part no slot is
         // both read and written.

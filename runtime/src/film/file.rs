@@ -137,6 +137,9 @@ fn exr(film: &Film) -> exr::error::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// Most bytes of a picture that is read.
+const FILE_BYTES_LIMIT: u64 = 4 << 30;
+
 /// Reads a picture as scene-linear colours; 8-bit pictures are decoded from sRGB.
 pub fn read(path: &Path) -> Result<Film, FilmError> {
     let format = match format(path)? {
@@ -144,8 +147,13 @@ pub fn read(path: &Path) -> Result<Film, FilmError> {
         Format::Exr => image::ImageFormat::OpenExr,
         Format::Hdr => image::ImageFormat::Hdr,
     };
-    let bytes = std::fs::read(path)
-        .map_err(|source| FilmError::Unreadable { path: path.to_owned(), source })?;
+    let unreadable = |source| FilmError::Unreadable { path: path.to_owned(), source };
+    let metadata = std::fs::metadata(path).map_err(unreadable)?;
+    // A device or a pipe may never end, and no picture within the limits of size is as large.
+    if !metadata.is_file() || metadata.len() > FILE_BYTES_LIMIT {
+        return Err(unreadable(std::io::ErrorKind::InvalidInput.into()));
+    }
+    let bytes = std::fs::read(path).map_err(unreadable)?;
     let malformed = |error: image::ImageError| FilmError::Malformed {
         path: path.to_owned(),
         message: error.to_string(),

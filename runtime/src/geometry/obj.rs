@@ -63,6 +63,10 @@ pub fn read_obj(path: &Path, normals: Normals) -> Result<Mesh, ObjError> {
     if metadata.is_dir() {
         return Err(unreadable(std::io::ErrorKind::IsADirectory.into()));
     }
+    // A device or a pipe may never end.
+    if !metadata.is_file() {
+        return Err(unreadable(std::io::ErrorKind::InvalidInput.into()));
+    }
     if metadata.len() > OBJ_BYTES_LIMIT {
         return Err(ObjError::TooLarge { path: path.to_owned(), bytes: metadata.len() });
     }

@@ -75,7 +75,7 @@ nothing and return black, not ok; there are no lights.
 Examples:
   phenomenon eval graphs/glass/advanced_glass.json
   phenomenon eval graphs/glass/advanced_glass.json --set ior=1.3 --state direction=0.6,0,-0.8
-  phenomenon eval graphs/rainbow.json --node hue --state u=0.25 --format json";
+  phenomenon eval graphs/rainbow/rainbow.json --node turn --state normal=0,0.6,0.8 --format json";
 
 /// Runs the command.
 ///
