@@ -37,7 +37,7 @@ pub struct EngineArguments {
 impl EngineArguments {
     /// Options of the compiler for one of its engines.
     pub fn options(&self, engine: Engine) -> Options {
-        Options { engine, simd: self.simd.into(), batch: self.batch as usize }
+        Options { engine, simd: self.simd.into(), batch: self.batch as usize, ..Options::default() }
     }
 }
 

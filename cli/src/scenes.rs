@@ -1,17 +1,18 @@
 //! Scenes with their materials compiled: what `render` renders.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::diagnostics::Place;
-use phenomenon_compiler::document::{Document, nearest, read, read_file};
-use phenomenon_compiler::engine::{Shade, Shader};
+use phenomenon_compiler::document::{Document, listed, nearest, read, read_file};
+use phenomenon_compiler::engine::{Options, Shade, Shader};
 use phenomenon_compiler::graph::{Binding, Graph, RootKind};
 use phenomenon_compiler::nodes::{Literal, NodeLibrary};
 use phenomenon_runtime::monoliths;
+use phenomenon_runtime::render::CALLED_ROOTS;
 use phenomenon_runtime::scene::{
     BuildError, EnvironmentDescription, MaterialRef, MaterialSource, Scene, SceneDescription,
     SceneFile, SceneOptions, default_scene, embedded_file, is_scene, read_scene,
@@ -21,6 +22,7 @@ use crate::arguments::{Assignment, EngineChoice, NodePath};
 use crate::failure::Failure;
 use crate::graphs::{self, EngineArguments};
 use crate::report;
+use crate::terminal;
 
 /// What the command line changes about the graph that is looked at.
 #[derive(Debug)]
@@ -102,6 +104,7 @@ pub fn load(
         subject,
         lights: scene.lights.iter().map(|light| light.name.clone()).collect(),
         graphs: HashMap::new(),
+        told: HashSet::new(),
         shaders: Vec::new(),
         milliseconds: 0.0,
     };
@@ -176,6 +179,8 @@ struct Materials<'a> {
     engine: &'a EngineArguments,
     subject: Option<Subject>,
     graphs: HashMap<PathBuf, Graph>,
+    /// Names of graphs whose idle roots were told.
+    told: HashSet<String>,
     shaders: Vec<Arc<Shader>>,
     /// Time spent compiling.
     milliseconds: f64,
@@ -241,10 +246,11 @@ impl Materials<'_> {
             }
         }
         self.know_lights(&graph, &values, material)?;
+        self.tell_roots(&graph);
         match self.engine.engine.compiled() {
             Some(engine) => {
                 let start = Instant::now();
-                let options = self.engine.options(engine);
+                let options = Options { roots: CALLED_ROOTS, ..self.engine.options(engine) };
                 let shader = Arc::new(graphs::compile(graph, self.library, &values, options)?);
                 self.milliseconds += start.elapsed().as_secs_f64() * 1e3;
                 self.shaders.push(Arc::clone(&shader));
@@ -252,6 +258,22 @@ impl Materials<'_> {
             }
             None => monolith(&graph.name, &values),
         }
+    }
+
+    /// Says which roots of a graph no picture depends on, once a graph.
+    fn tell_roots(&mut self, graph: &Graph) {
+        let kinds = graph.roots.iter().map(|root| root.kind);
+        let idle: Vec<&str> =
+            kinds.filter(|kind| !CALLED_ROOTS.contains(kind)).map(RootKind::name).collect();
+        if idle.is_empty() || !self.told.insert(graph.name.clone()) {
+            return;
+        }
+        terminal::tell(&format!(
+            "note: `{}` is checked whole, but this renderer does not call shaders of type {}; it calls {}",
+            graph.name,
+            listed(idle),
+            listed(CALLED_ROOTS.iter().map(|kind| kind.name())),
+        ));
     }
 
     fn graph(&mut self, path: &Path) -> Result<Graph, Failure> {

@@ -58,6 +58,9 @@ pub struct State {
     pub reflection_level: i32,
     /// Refractions and transparencies so far.
     pub refraction_level: i32,
+    /// Colour handed on by the shader before in the list of a root; what the first gets is what the
+    /// renderer starts from: white for shadows, else zero.
+    pub incoming: [f32; 4],
     /// Key of the path: a hash of seed, pixel, sample and every request site on the way. The
     /// source of all random numbers.
     pub path: u64,
@@ -95,6 +98,7 @@ impl Default for State {
             ray_type: RayType::Eye,
             reflection_level: 0,
             refraction_level: 0,
+            incoming: [0.0; 4],
             path: 0,
             hit: Hit::default(),
         }
@@ -197,6 +201,8 @@ fields! {
     ReflectionLevel "reflection_level" Integer |s| [s.reflection_level as u32, 0, 0, 0], |s, w| s.reflection_level = w[0] as i32;
     /// Refractions and transparencies so far.
     RefractionLevel "refraction_level" Integer |s| [s.refraction_level as u32, 0, 0, 0], |s, w| s.refraction_level = w[0] as i32;
+    /// Colour handed on by the shader before in the list of a root; for the first what the renderer starts from: white for shadows, else zero.
+    Incoming "incoming" Color |s| s.incoming.map(f32::to_bits), |s, w| s.incoming = w.map(f32::from_bits);
 }
 
 impl Field {

@@ -166,6 +166,7 @@ fn compare(name: &str, overrides: &[(String, Literal)]) -> BTreeMap<Effect, usiz
             RootKind::Material => RayType::Eye,
             RootKind::Shadow => RayType::Shadow,
             RootKind::Environment => RayType::Environment,
+            other => panic!("the renderer does not call {other:?}"),
         };
         let declared = monolith.effects(root);
         for point in points(ray_type) {

@@ -133,11 +133,11 @@ pub struct Built {
 pub fn every_engine() -> Vec<Options> {
     let mut all = Vec::new();
     for simd in [Simd::Native, Simd::Portable] {
-        all.push(Options { engine: Engine::Walk, simd, batch: 256 });
-        all.push(Options { engine: Engine::Auto, simd, batch: 256 });
+        all.push(Options { engine: Engine::Walk, simd, batch: 256, ..Options::default() });
+        all.push(Options { engine: Engine::Auto, simd, batch: 256, ..Options::default() });
         for batch in [1, 7, 256] {
-            all.push(Options { engine: Engine::Batch, simd, batch });
-            all.push(Options { engine: Engine::Jit, simd, batch });
+            all.push(Options { engine: Engine::Batch, simd, batch, ..Options::default() });
+            all.push(Options { engine: Engine::Jit, simd, batch, ..Options::default() });
         }
     }
     all

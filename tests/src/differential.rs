@@ -83,6 +83,7 @@ impl Case {
             engine,
             simd: random.pick(&[Simd::Native, Simd::Portable]),
             batch: random.pick(&[1, 7, 256]),
+            ..Options::default()
         };
         let options = vec![option(Engine::Walk), option(Engine::Batch), option(Engine::Jit)];
         let (graph, library) = (Arc::new(graph), Arc::clone(library));

@@ -148,6 +148,7 @@ impl Random {
             ray_type,
             reflection_level: self.integer(),
             refraction_level: self.integer(),
+            incoming: [self.number(), self.number(), self.number(), self.number()],
             path: self.bits(),
             hit: Hit { instance: index, ..Hit::default() },
         }

@@ -103,7 +103,7 @@ fn every_engine_renders_the_same_bytes_with_the_same_rays() {
             for engine in [Engine::Walk, Engine::Batch, Engine::Jit, Engine::Auto] {
                 for simd in [Simd::Native, Simd::Portable] {
                     for batch in [1, 7, 256] {
-                        let options = Options { engine, simd, batch };
+                        let options = Options { engine, simd, batch, ..Options::default() };
                         let scene = compiled(shape, graph, options);
                         for threads in [1, 2] {
                             let rendered = picture(&scene, threads, batch, size);

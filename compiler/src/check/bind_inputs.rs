@@ -5,13 +5,12 @@ use crate::document::{Reader, shortened};
 use crate::graph::{Binding, Node, Root};
 use crate::nodes::{Default, NodeType, Signature, Type};
 
-use super::draft::{Draft, DraftInput, Source, SourceKind};
-use super::roots::ShaderType;
+use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
 use super::types::{Types, overload};
 use super::{literals, mismatch};
 
-/// The nodes and the roots that are run. Nodes of unknown type are left out: they made a finding,
-/// and then there is no graph.
+/// The nodes and the roots. Nodes of unknown type are left out: they made a finding, and then there
+/// is no graph. Nodes that lists of shaders take come after those of the file.
 pub(super) fn bind<'d>(
     reader: &mut Reader<'d>,
     draft: &Draft<'d>,
@@ -27,22 +26,72 @@ pub(super) fn bind<'d>(
             inputs: bind_node(reader, draft, types, at, node_type),
         });
     }
-    let mut roots = Vec::with_capacity(draft.roots.len());
-    for root in &draft.roots {
-        let name = root.kind.name();
-        let mut bind_root = |source: Option<&Source<'d>>, to, what: String| match source {
-            Some(source) => {
-                bind_source(reader, draft, types, source, to, false, &move || what.clone())
-            }
-            None => None,
-        };
-        let color = bind_root(root.color.as_ref(), Type::Color, format!("root `{name}`"));
-        let ok = bind_root(root.ok.as_ref(), Type::Boolean, format!("`ok` of root `{name}`"));
-        if let (ShaderType::Run(kind), Some(color)) = (root.kind, color) {
-            roots.push(Root { kind, color, ok: ok.unwrap_or(Binding::Default) });
-        }
-    }
+    let roots =
+        draft.roots.iter().filter_map(|root| bind_root(reader, draft, types, root, &mut nodes));
+    let roots = roots.collect();
     (nodes, roots)
+}
+
+/// A root with its list of shaders as `chain` nodes, which are added to `nodes`.
+fn bind_root<'d>(
+    reader: &mut Reader<'d>,
+    draft: &Draft<'d>,
+    types: &Types,
+    root: &DraftRoot<'d>,
+    nodes: &mut Vec<Node>,
+) -> Option<Root> {
+    let (kind, name) = (root.kind, root.kind.name());
+    let what = || format!("root `{name}`");
+    let mut colors = Vec::with_capacity(root.colors.len());
+    for source in &root.colors {
+        colors.push(bind_source(reader, draft, types, source, kind.value_type(), false, &what));
+    }
+    let what = || format!("`ok` of root `{name}`");
+    let ok = root
+        .ok
+        .as_ref()
+        .map(|source| bind_source(reader, draft, types, source, Type::Boolean, false, &what));
+    let mut color: Option<Binding> = None;
+    for (at, next) in colors.into_iter().enumerate() {
+        let next = next?;
+        color = Some(match color {
+            None => next,
+            Some(before) => {
+                let inputs = [("first", before), ("second", next)];
+                chained(reader, draft, root, format!("{name}[{at}]"), inputs, nodes)?
+            }
+        });
+    }
+    Some(Root { kind, color: color?, ok: ok.unwrap_or(Some(Binding::Default))? })
+}
+
+/// What the shader before hands on, and this one makes of it, as a `chain` node.
+fn chained(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    root: &DraftRoot<'_>,
+    name: String,
+    given: [(&str, Binding); 2],
+    nodes: &mut Vec<Node>,
+) -> Option<Binding> {
+    let Some(node_type) = draft.library.find("chain") else {
+        let message = "the node library has no `chain`, which a list of shaders takes";
+        let help = "give the root one shader";
+        reader.report_key(Code::UNKNOWN_NODE_TYPE, root.member, message, help);
+        return None;
+    };
+    let signature = draft.library.signature(node_type);
+    let mut inputs = vec![Binding::Default; signature.inputs.len()];
+    for (input, binding) in given {
+        inputs[signature.input(input)?] = match binding {
+            Binding::Literal(literal) => {
+                Binding::Literal(literal.converted_to(Type::Color).unwrap_or(literal))
+            }
+            other => other,
+        };
+    }
+    nodes.push(Node { name, node_type, overload: 0, inputs });
+    Some(Binding::Node { node: nodes.len() - 1, output: 0 })
 }
 
 fn bind_node<'d>(

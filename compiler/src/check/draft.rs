@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::document::{Member, Suggestion, Value, nearest};
-use crate::graph::Parameter;
+use crate::graph::{Parameter, RootKind};
 use crate::nodes::{NodeLibrary, NodeType, Type};
 
 use super::nested::Nested;
@@ -56,10 +56,18 @@ pub(super) struct DraftInput<'d> {
 
 /// A root.
 pub(super) struct DraftRoot<'d> {
-    pub kind: super::roots::ShaderType,
-    /// None where it is missing or not understood.
-    pub color: Option<Source<'d>>,
+    pub kind: RootKind,
+    pub member: &'d Member,
+    /// The shaders of its list, one where there is no list; none where it is not understood.
+    pub colors: Vec<Source<'d>>,
     pub ok: Option<Source<'d>>,
+}
+
+impl<'d> DraftRoot<'d> {
+    /// All it reads.
+    pub fn sources(&self) -> impl Iterator<Item = &Source<'d>> {
+        self.colors.iter().chain(&self.ok)
+    }
 }
 
 /// Where a value comes from.

@@ -124,7 +124,7 @@ pub(super) fn check<'d>(
     reach::check(reader, &draft);
     ranges::check(reader, &draft);
     hazards::check(reader, &draft);
-    if nodes.len() == draft.nodes.len() {
+    if draft.nodes.iter().all(|node| node.node_type.is_some()) {
         dead_inputs::check(reader, &draft, &nodes);
     }
     let graph = Graph {

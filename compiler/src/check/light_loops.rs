@@ -73,7 +73,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
         pending: Vec::new(),
     };
     for root in &draft.roots {
-        for source in [root.color, root.ok].into_iter().flatten() {
+        for source in root.sources() {
             if let SourceKind::Node(node, output) = source.kind {
                 walk.arrive(reader, node, output, source.value);
             }

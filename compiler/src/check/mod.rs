@@ -35,4 +35,4 @@ mod types;
 pub use graph::{Checked, MAX_NODES, check_graph, check_graph_with, read_graph_file};
 pub use light_loops::reads_light;
 pub use nested::{Files, MAX_FILE_DEPTH, OnDisk};
-pub use roots::ShaderType;
+pub use roots::MAX_SHADERS;

@@ -54,11 +54,11 @@ pub(super) struct Nested {
 }
 
 impl Nested {
-    /// The root whose value the phenomenon has as a node.
+    /// The root whose value the phenomenon has as a node: the first there is, as [`RootKind::ALL`]
+    /// has them, but a texture before all, which is only ever called by other shaders.
     pub fn root(&self) -> Option<&Root> {
-        [RootKind::Material, RootKind::Environment, RootKind::Shadow]
-            .into_iter()
-            .find_map(|kind| self.graph.root(kind))
+        let texture = std::iter::once(RootKind::Texture);
+        texture.chain(RootKind::ALL).find_map(|kind| self.graph.root(kind))
     }
 }
 
@@ -103,10 +103,7 @@ impl<'n> Nest<'n> {
                 let place = object.optional("file").unwrap_or(value);
                 let found = self.find(reader, file, place);
                 let node_type = found.and_then(|(path, nested)| {
-                    let Some(definition) = definition(&path, &nested) else {
-                        no_usable_root(reader, place, file);
-                        return None;
-                    };
+                    let definition = definition(&path, &nested);
                     let name = definition.signature.name;
                     draft.library.add(definition);
                     let node_type = draft.library.find(name)?;
@@ -199,12 +196,6 @@ impl<'n> Nest<'n> {
     }
 }
 
-fn no_usable_root(reader: &mut Reader<'_>, place: &Value, file: &str) {
-    let message = format!("`{}` has no root whose value a node could have", shortened(file));
-    let help = "give it a `material`, `environment` or `shadow` root";
-    reader.report(Code::MISSING_ROOT, place, message, help);
-}
-
 /// The file a node's type names, if it names one.
 pub(super) fn file_of(value: &Value) -> Option<&str> {
     match &value.get("file")?.kind {
@@ -214,8 +205,7 @@ pub(super) fn file_of(value: &Value) -> Option<&str> {
 }
 
 /// The node type a phenomenon is: its parameters are the inputs, its root's color and ok the outputs.
-fn definition(path: &str, nested: &Nested) -> Option<Definition> {
-    nested.root()?;
+fn definition(path: &str, nested: &Nested) -> Definition {
     let inputs: Vec<Input> = nested
         .graph
         .parameters
@@ -233,7 +223,7 @@ fn definition(path: &str, nested: &Nested) -> Option<Definition> {
     let output =
         |name, doc: &str, value_type| Output { name, doc: doc.into(), value_type, range: FINITE };
     let guards = vec![None; inputs.len()];
-    Some(Definition {
+    Definition {
         signature: Signature {
             name: interned(path),
             group: "phenomena",
@@ -247,7 +237,7 @@ fn definition(path: &str, nested: &Nested) -> Option<Definition> {
             kind: Kind::Plain,
         },
         overloads: vec![Overload { generic: None, code: None, guards }],
-    })
+    }
 }
 
 /// A name that lives as long as the program, as signatures want it. Each different name is kept

@@ -3,14 +3,14 @@
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, Value, ValueKind, shortened};
 
-use super::draft::{Draft, Source, SourceKind};
+use super::draft::{Draft, DraftRoot, Source, SourceKind};
 
 /// Reports the nodes at the top of what no root reaches, and the unused parameters. Says nothing
 /// where a connection could not be resolved: it may be the one that is missing.
 pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
     let sources = || {
         let inputs = draft.nodes.iter().flat_map(|node| &node.inputs).map(|input| &input.source);
-        inputs.chain(draft.roots.iter().flat_map(|root| [&root.color, &root.ok]).flatten())
+        inputs.chain(draft.roots.iter().flat_map(DraftRoot::sources))
     };
     // A string is no literal anywhere, nor is a list with objects in it: they were meant to connect.
     let connects = |value: &Value| match &value.kind {
@@ -21,7 +21,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
         _ => false,
     };
     let broken = |source: &Source<'_>| source.kind == SourceKind::Broken || connects(source.value);
-    let rootless = draft.roots.is_empty() || draft.roots.iter().any(|root| root.color.is_none());
+    let rootless = draft.roots.is_empty() || draft.roots.iter().any(|root| root.colors.is_empty());
     if draft.unresolved.get() || rootless || sources().any(broken) {
         return;
     }
@@ -46,7 +46,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
 fn unreachable_nodes(reader: &mut Reader<'_>, draft: &Draft<'_>) {
     let mut reached = vec![false; draft.nodes.len()];
     let mut pending: Vec<usize> = Vec::new();
-    for source in draft.roots.iter().flat_map(|root| [root.color, root.ok]).flatten() {
+    for source in draft.roots.iter().flat_map(DraftRoot::sources) {
         if let SourceKind::Node(node, _) = source.kind {
             pending.push(node);
         }

@@ -9,7 +9,7 @@ use crate::effects::Effect;
 use crate::nodes::Kind;
 
 use super::draft::Draft;
-use super::roots::ShaderType;
+use crate::graph::RootKind;
 
 /// The keys of `requires`.
 pub(super) const KEYS: [&str; 11] = [
@@ -155,7 +155,7 @@ fn read<'d>(reader: &mut Reader<'d>, member: &'d Member, requirements: &mut Requ
             reader.boolean(value, &what);
         }
         "apply" => {
-            let choices = ShaderType::ALL.map(|kind| (kind.name(), ()));
+            let choices = RootKind::ALL.map(|kind| (kind.name(), ()));
             for kind in reader.list(value, &what).unwrap_or_default() {
                 reader.choice(kind, "a shader type", &choices);
             }

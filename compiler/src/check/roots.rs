@@ -4,45 +4,11 @@ use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, Value, ValueKind, listed};
 use crate::graph::RootKind;
 
-use super::draft::{Draft, DraftRoot, Source};
+use super::draft::{Draft, DraftRoot, Source, SourceKind};
 use super::sources;
 
-/// Every shader type a root may have, as mental ray knows them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ShaderType {
-    /// One the engines run.
-    Run(RootKind),
-    /// One that is checked only.
-    Checked(&'static str),
-}
-
-impl ShaderType {
-    /// Every shader type, those that are run first.
-    pub const ALL: [ShaderType; 14] = [
-        ShaderType::Run(RootKind::Material),
-        ShaderType::Run(RootKind::Shadow),
-        ShaderType::Run(RootKind::Environment),
-        ShaderType::Checked("volume"),
-        ShaderType::Checked("light"),
-        ShaderType::Checked("lens"),
-        ShaderType::Checked("texture"),
-        ShaderType::Checked("displacement"),
-        ShaderType::Checked("output"),
-        ShaderType::Checked("photon"),
-        ShaderType::Checked("contour"),
-        ShaderType::Checked("lightmap"),
-        ShaderType::Checked("geometry"),
-        ShaderType::Checked("state"),
-    ];
-
-    /// Name in graph files.
-    pub fn name(self) -> &'static str {
-        match self {
-            ShaderType::Run(kind) => kind.name(),
-            ShaderType::Checked(name) => name,
-        }
-    }
-}
+/// Most shaders in the list of a root.
+pub const MAX_SHADERS: usize = 64;
 
 /// Reads all roots; none at all is a finding. `graph` is the whole document.
 pub(super) fn read<'d>(
@@ -66,13 +32,13 @@ pub(super) fn read<'d>(
     let mut any = false;
     for member in members {
         any = true;
-        let Some(kind) = ShaderType::ALL.into_iter().find(|kind| kind.name() == member.key) else {
+        let Some(kind) = RootKind::ALL.into_iter().find(|kind| kind.name() == member.key) else {
             unknown_root(reader, member);
             draft.unresolved.set(true);
             continue;
         };
-        let (color, ok) = read_root(reader, &member.value, draft);
-        draft.roots.push(DraftRoot { kind, color, ok });
+        let (colors, ok) = read_root(reader, &member.value, draft);
+        draft.roots.push(DraftRoot { kind, member, colors, ok });
     }
     if !any {
         no_root(reader, value.start);
@@ -87,7 +53,7 @@ fn no_root(reader: &mut Reader<'_>, at: usize) {
 }
 
 fn unknown_root(reader: &mut Reader<'_>, member: &crate::document::Member) {
-    let names = ShaderType::ALL.map(ShaderType::name);
+    let names = RootKind::ALL.map(RootKind::name);
     let near = crate::document::nearest(&member.key, names);
     let help = match near {
         Some(near) => near.help(),
@@ -100,21 +66,60 @@ fn unknown_root(reader: &mut Reader<'_>, member: &crate::document::Member) {
     reader.findings.push(finding);
 }
 
-/// A root's color and ok: either alone, or as an object of both.
+/// A root's shaders and ok: either alone, or as an object of both. A list of connections is a chain of
+/// shaders; a list of numbers is a color.
 fn read_root<'d>(
     reader: &mut Reader<'d>,
     value: &'d Value,
     draft: &Draft<'d>,
-) -> (Option<Source<'d>>, Option<Source<'d>>) {
+) -> (Vec<Source<'d>>, Option<Source<'d>>) {
     let composite = matches!(value.kind, ValueKind::Object(_))
         && (value.get("color").is_some() || value.get("ok").is_some());
     if !composite {
-        return (Some(sources::read(reader, value, draft)), None);
+        return (read_shaders(reader, value, draft), None);
     }
     let Some(object) = reader.object(value, "a root", &["color", "ok"]) else {
-        return (None, None);
+        return (Vec::new(), None);
     };
-    let color = object.required(reader, "color").map(|value| sources::read(reader, value, draft));
+    let color = object.required(reader, "color");
+    let colors = color.map(|value| read_shaders(reader, value, draft)).unwrap_or_default();
     let ok = object.optional("ok").map(|value| sources::read(reader, value, draft));
-    (color, ok)
+    (colors, ok)
+}
+
+fn read_shaders<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    draft: &Draft<'d>,
+) -> Vec<Source<'d>> {
+    let ValueKind::Array(elements) = &value.kind else {
+        return vec![sources::read(reader, value, draft)];
+    };
+    let is_number = |element: &Value| matches!(element.kind, ValueKind::Number(_));
+    if !elements.is_empty() && elements.iter().all(is_number) {
+        return vec![sources::read(reader, value, draft)];
+    }
+    if elements.is_empty() {
+        let message = "a list of shaders is empty, so the root yields nothing";
+        let help = "list connections such as `{ \"node\": \"name\" }`, or remove the root";
+        reader.report(Code::WRONG_KIND, value, message, help);
+    }
+    if elements.len() > MAX_SHADERS {
+        let message =
+            format!("a root has {} shaders, at most {MAX_SHADERS} may be chained", elements.len());
+        reader.report(Code::NUMBER_OUT_OF_RANGE, value, message, "join some of them in a node");
+        return Vec::new();
+    }
+    elements.iter().map(|element| read_shader(reader, element, draft)).collect()
+}
+
+/// One shader of a list. A whole list returns one `ok`, so none of its shaders has one of its own.
+fn read_shader<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> Source<'d> {
+    if value.get("ok").is_some() || value.get("color").is_some() {
+        let message = "a shader of a list has no `ok` of its own";
+        let help = "write `{ \"color\": [ … ], \"ok\": … }` for the root as a whole";
+        reader.report(Code::WRONG_KIND, value, message, help);
+        return Source { value, kind: SourceKind::Broken };
+    }
+    sources::read(reader, value, draft)
 }

@@ -8,29 +8,24 @@ use crate::graph::RootKind;
 use crate::nodes::{Kind, NodeType};
 
 use super::draft::{Draft, SourceKind};
-use super::roots::ShaderType;
 
 /// Why a root of a shader type cannot do what a node does; none where it can.
-fn forbidden(station: ShaderType, kind: &Kind) -> Option<&'static str> {
+fn forbidden(station: RootKind, kind: &Kind) -> Option<&'static str> {
     let lights = matches!(kind, Kind::LightLoop | Kind::Request(Effect::LightColor));
     let traces = matches!(kind, Kind::Request(effect) if *effect != Effect::LightColor);
     let environment = matches!(kind, Kind::Request(Effect::TraceEnvironment));
     match station {
-        ShaderType::Run(RootKind::Environment) if environment => {
+        RootKind::Environment if environment => {
             Some("it is what an environment ray asks, and would ask itself")
         }
-        ShaderType::Checked("light") if lights => {
-            Some("it is what a light loop asks, and would ask itself")
-        }
-        ShaderType::Checked("displacement" | "geometry" | "state") if lights || traces => {
+        RootKind::Light if lights => Some("it is what a light loop asks, and would ask itself"),
+        RootKind::Displacement | RootKind::Geometry | RootKind::State if lights || traces => {
             Some("it runs before there is a scene to cast rays into")
         }
-        ShaderType::Checked("output") if lights || traces => {
+        RootKind::Output if lights || traces => {
             Some("it runs on finished pixels, where there is no point to cast rays from")
         }
-        ShaderType::Checked("lens") if lights => {
-            Some("it runs at the camera, where no surface is lit")
-        }
+        RootKind::Lens if lights => Some("it runs at the camera, where no surface is lit"),
         _ => None,
     }
 }
@@ -48,7 +43,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
             continue;
         }
         let mut pending: Vec<usize> = Vec::new();
-        for source in [root.color, root.ok].into_iter().flatten() {
+        for source in root.sources() {
             if let SourceKind::Node(node, _) = source.kind {
                 pending.push(node);
             }
@@ -70,7 +65,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
 fn report(
     reader: &mut Reader<'_>,
     draft: &Draft<'_>,
-    station: ShaderType,
+    station: RootKind,
     node: usize,
     node_type: NodeType,
 ) -> bool {

@@ -18,8 +18,9 @@ use crate::diagnostics::SourceFile;
 pub use canonical::canonical;
 pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES};
 pub use read::{read, read_file};
+pub use reader::listed;
 pub use reader::{Object, Reader};
-pub(crate) use reader::{listed, shortened, shown};
+pub(crate) use reader::{shortened, shown};
 pub use suggest::{Suggestion, nearest};
 
 /// A value with its place, as byte range of the file.

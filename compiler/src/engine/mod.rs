@@ -78,10 +78,12 @@ pub struct Options {
     pub simd: Simd,
     /// Most points shaded at once, at least 1.
     pub batch: usize,
+    /// Which roots are compiled; the others are as if the graph had none.
+    pub roots: &'static [RootKind],
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { engine: Engine::Auto, simd: Simd::Native, batch: 256 }
+        Self { engine: Engine::Auto, simd: Simd::Native, batch: 256, roots: &RootKind::ALL }
     }
 }

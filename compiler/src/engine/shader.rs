@@ -188,7 +188,7 @@ impl Shader {
     fn compile(&mut self) -> Result<(), ShaderError> {
         let start = Instant::now();
         let mut programs = Vec::new();
-        for root in &self.graph.roots {
+        for root in self.graph.roots.iter().filter(|root| self.options.roots.contains(&root.kind)) {
             let first = self.compile_root(root, RAY_TYPES[0])?;
             if first.code.specialised.reads_ray_type {
                 programs.push(Compiled { ray_type: Some(RAY_TYPES[0]), ..first });
@@ -257,7 +257,7 @@ impl Code {
 
 impl Shade for Shader {
     fn has_root(&self, root: RootKind) -> bool {
-        self.graph.root(root).is_some()
+        self.options.roots.contains(&root) && self.graph.root(root).is_some()
     }
 
     fn effects(&self, root: RootKind) -> BTreeSet<Effect> {

@@ -79,7 +79,8 @@ pub enum Binding {
     },
 }
 
-/// What a root is called for.
+/// What a root is called for: the shader types of mental ray. Engines run a root of any type; which
+/// of them a renderer calls is its own matter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum RootKind {
     /// A visible ray hit the surface; yields the colour it sees.
@@ -88,11 +89,48 @@ pub enum RootKind {
     Shadow,
     /// A ray left the scene; yields the colour it sees.
     Environment,
+    /// A ray passed through a volume; changes the colour it saw.
+    Volume,
+    /// A light is asked what it sends to a point.
+    Light,
+    /// A ray leaves the camera.
+    Lens,
+    /// Another shader asks for a texture.
+    Texture,
+    /// A vertex is displaced along its normal; yields a distance.
+    Displacement,
+    /// The picture is finished, pixel by pixel.
+    Output,
+    /// A photon hit the surface; changes its energy.
+    Photon,
+    /// A contour line is drawn.
+    Contour,
+    /// A light map is written.
+    Lightmap,
+    /// Geometry is made before rendering.
+    Geometry,
+    /// A state is set up or taken down.
+    State,
 }
 
 impl RootKind {
     /// Every kind.
-    pub const ALL: [RootKind; 3] = [RootKind::Material, RootKind::Shadow, RootKind::Environment];
+    pub const ALL: [RootKind; 14] = [
+        RootKind::Material,
+        RootKind::Shadow,
+        RootKind::Environment,
+        RootKind::Volume,
+        RootKind::Light,
+        RootKind::Lens,
+        RootKind::Texture,
+        RootKind::Displacement,
+        RootKind::Output,
+        RootKind::Photon,
+        RootKind::Contour,
+        RootKind::Lightmap,
+        RootKind::Geometry,
+        RootKind::State,
+    ];
 
     /// Name in graph files.
     pub fn name(self) -> &'static str {
@@ -100,6 +138,25 @@ impl RootKind {
             RootKind::Material => "material",
             RootKind::Shadow => "shadow",
             RootKind::Environment => "environment",
+            RootKind::Volume => "volume",
+            RootKind::Light => "light",
+            RootKind::Lens => "lens",
+            RootKind::Texture => "texture",
+            RootKind::Displacement => "displacement",
+            RootKind::Output => "output",
+            RootKind::Photon => "photon",
+            RootKind::Contour => "contour",
+            RootKind::Lightmap => "lightmap",
+            RootKind::Geometry => "geometry",
+            RootKind::State => "state",
+        }
+    }
+
+    /// The type of its value: a displacement is a scalar, all others are colours.
+    pub fn value_type(self) -> Type {
+        match self {
+            RootKind::Displacement => Type::Scalar,
+            _ => Type::Color,
         }
     }
 }
@@ -109,7 +166,7 @@ impl RootKind {
 pub struct Root {
     /// What it is called for.
     pub kind: RootKind,
-    /// A colour.
+    /// A value of its kind's type; converted as [`Type::converts_to`] allows.
     pub color: Binding,
     /// A boolean, false for mental ray's miFALSE; [`Binding::Default`] means always true.
     pub ok: Binding,

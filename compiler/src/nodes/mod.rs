@@ -66,7 +66,7 @@ nodes! {
     /// What surfaces do with the light of one sample.
     shading { lambert }
     /// Nodes that evaluate an input under a changed state, or many times.
-    scopes { light_loop, perturb_normal }
+    scopes { chain, light_loop, perturb_normal }
     /// What is known about the point that is shaded.
     state { light, state }
 }

@@ -3,7 +3,8 @@
 use serde_json::{Map, Value, json};
 
 use super::{described, object, reference};
-use crate::check::ShaderType;
+use crate::check::MAX_SHADERS;
+use crate::graph::RootKind;
 use crate::nodes::{Default, Input, NodeLibrary, Signature, Type};
 
 /// Adds the definition `graph` and what it needs.
@@ -14,6 +15,7 @@ pub(super) fn define(library: &NodeLibrary, definitions: &mut Map<String, Value>
     definitions.insert("parameter".into(), parameter());
     definitions.insert("requires".into(), requires());
     definitions.insert("root".into(), root());
+    definitions.insert("shaders".into(), shaders());
     definitions.insert("node".into(), node(library));
     sources(definitions);
 }
@@ -32,7 +34,7 @@ fn graph() -> Value {
         })
     };
     let roots: Map<String, Value> =
-        ShaderType::ALL.iter().map(|kind| (kind.name().to_owned(), reference("root"))).collect();
+        RootKind::ALL.iter().map(|kind| (kind.name().to_owned(), reference("root"))).collect();
     let mut roots = object(&[], Value::Object(roots));
     roots["description"] = json!("What it is called for.");
     roots["minProperties"] = json!(1);
@@ -150,11 +152,22 @@ fn requires() -> Value {
 
 fn root() -> Value {
     json!({ "anyOf": [
-        { "$ref": "#/definitions/color" },
+        { "$ref": "#/definitions/shaders" },
         object(&["color"], json!({
-            "color": { "$ref": "#/definitions/color" },
+            "color": { "$ref": "#/definitions/shaders" },
             "ok": { "$ref": "#/definitions/boolean" },
         })),
+    ] })
+}
+
+/// A color, or a list of shaders that hand one another their color.
+fn shaders() -> Value {
+    json!({ "anyOf": [
+        { "$ref": "#/definitions/color" },
+        {
+            "type": "array", "items": { "$ref": "#/definitions/color" },
+            "minItems": 1, "maxItems": MAX_SHADERS,
+        },
     ] })
 }
 

@@ -195,7 +195,7 @@ impl<'s> Context<'s> {
         let has_root = material.is_some_and(|material| match root {
             RootKind::Material => material.has_material,
             RootKind::Shadow => material.has_shadow,
-            RootKind::Environment => false,
+            _ => false,
         });
         results.clear();
         results.resize(states.len(), Shaded::default());

@@ -194,6 +194,7 @@ fn shadow_state(
     let source = light.origin(double(origin), towards, reach);
     let mut state = *point;
     state.ray_type = RayType::Shadow;
+    state.incoming = [1.0; 4];
     state.path = child_path(point.path, site);
     place(&mut state, &surface, towards.map(|x| -x));
     state.origin = single(source);

@@ -46,6 +46,8 @@ pub(super) fn ray_origin(ray: &Ray, direction: [f32; 3]) -> Option<[f32; 3]> {
 pub(super) fn child(ray: &Ray, ray_type: RayType) -> State {
     let mut state = ray.state;
     state.ray_type = ray_type;
+    // The shader there starts a list of its own.
+    state.incoming = [0.0; 4];
     match ray_type {
         RayType::Eye => return state,
         RayType::Reflection => state.reflection_level = state.reflection_level.saturating_add(1),

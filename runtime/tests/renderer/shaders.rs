@@ -50,6 +50,7 @@ impl Hand {
             RootKind::Material => self.material.as_deref(),
             RootKind::Shadow => self.shadow.as_deref(),
             RootKind::Environment => self.environment.as_deref(),
+            _ => None,
         }
     }
 }

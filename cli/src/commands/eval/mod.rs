@@ -7,10 +7,11 @@ mod values;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded};
 use phenomenon_compiler::graph::{Binding, Graph, RootKind};
-use phenomenon_compiler::nodes::{Literal, NodeLibrary, Type};
+use phenomenon_compiler::nodes::{Literal, NodeLibrary};
 use phenomenon_compiler::state::State;
 
 use self::empty_scene::EmptyScene;
@@ -40,8 +41,9 @@ pub struct Arguments {
     node: Option<NodePath>,
 
     /// Which root to evaluate
-    #[arg(long, value_enum, default_value_t, conflicts_with = "node")]
-    root: RootChoice,
+    #[arg(long, value_name = "SHADER_TYPE", default_value = "material", conflicts_with = "node",
+          value_parser = root_kind())]
+    root: RootKind,
 
     #[command(flatten)]
     engine: EngineArguments,
@@ -51,23 +53,11 @@ pub struct Arguments {
     format: Format,
 }
 
-/// `--root`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum RootChoice {
-    /// The colour of a surface
-    #[default]
-    Material,
-    /// By what a surface multiplies light
-    Shadow,
-    /// The colour of a ray that hits nothing
-    Environment,
-}
-
 const EXAMPLES: &str = "\
 The state is that of a ray along -z which hits a plane at the origin from distance 1. Fields:
   vectors  origin direction point normal normal_geom
   numbers  dot_nd dist ior ior_in u v time raster_x raster_y
-  others   inv_normal ray_type reflection_level refraction_level
+  others   inv_normal ray_type reflection_level refraction_level incoming
 Directions and normals are brought to unit length; normal_geom follows normal, and dot_nd follows
 normal and direction, where they are not given. The scene round the point is empty: rays hit
 nothing and return black, not ok; there are no lights.
@@ -103,7 +93,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     let evaluation = match &arguments.node {
         Some(path) => point.node(&graph, path)?,
-        None => point.root(&graph, arguments.root.kind())?,
+        None => point.root(&graph, arguments.root)?,
     };
     terminal::print(&match arguments.format {
         Format::Human => evaluation.human(),
@@ -112,14 +102,11 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Fine)
 }
 
-impl RootChoice {
-    fn kind(self) -> RootKind {
-        match self {
-            RootChoice::Material => RootKind::Material,
-            RootChoice::Shadow => RootKind::Shadow,
-            RootChoice::Environment => RootKind::Environment,
-        }
-    }
+/// The shader types by name.
+fn root_kind() -> impl TypedValueParser<Value = RootKind> {
+    let find = |name: String| RootKind::ALL.into_iter().find(|kind| kind.name() == name);
+    PossibleValuesParser::new(RootKind::ALL.map(RootKind::name))
+        .try_map(move |name| find(name).ok_or("there is no such shader type"))
 }
 
 /// What a graph is evaluated with.
@@ -147,7 +134,7 @@ impl Point<'_> {
         alone.roots.retain(|root| root.kind == kind);
         let shaded = self.shade(alone, kind)?;
         let mut evaluation = Evaluation::default();
-        evaluation.add(name, Type::Color, shaded.color);
+        evaluation.add(name, kind.value_type(), shaded.color);
         evaluation.ok = Some(shaded.ok);
         Ok(evaluation)
     }

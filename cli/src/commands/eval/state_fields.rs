@@ -101,7 +101,15 @@ fn parse(field: Field, text: &str) -> Option<Literal> {
             let numbers: Option<Vec<f32>> = text.split(',').take(4).map(number).collect();
             numbers.and_then(|numbers| numbers.try_into().ok()).map(Literal::Vector)
         }
-        Type::Color | Type::Lights | Type::Generic => None,
+        Type::Color => {
+            let numbers: Option<Vec<f32>> = text.split(',').take(5).map(number).collect();
+            match numbers?.as_slice() {
+                &[r, g, b] => Some(Literal::Color([r, g, b, 1.0])),
+                &[r, g, b, a] => Some(Literal::Color([r, g, b, a])),
+                _ => None,
+            }
+        }
+        Type::Lights | Type::Generic => None,
     }
 }
 
@@ -114,6 +122,7 @@ fn form(field: Field) -> &'static str {
         }
         Type::Integer => "write a whole number",
         Type::Vector => "write three numbers, such as 0,0,1",
+        Type::Color => "write three or four numbers, such as 0.5,0.5,0.5",
         _ => "write a number, such as 0.5",
     }
 }

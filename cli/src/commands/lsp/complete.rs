@@ -1,7 +1,7 @@
 //! What can be written where the cursor stands.
 
-use phenomenon_compiler::check::ShaderType;
 use phenomenon_compiler::document::{Member, Value as Node, ValueKind};
+use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::nodes::{NodeLibrary, Signature};
 use serde_json::{Value, json};
 
@@ -37,7 +37,7 @@ pub fn complete(file: &OpenFile, at: usize, library: &NodeLibrary) -> Vec<Value>
         (["interface", _, "type"], false) => {
             words(&["scalar", "integer", "boolean", "color", "vector", "lights"])
         }
-        (["roots"], true) => words(&ShaderType::ALL.map(ShaderType::name)),
+        (["roots"], true) => words(&RootKind::ALL.map(RootKind::name)),
         (["nodes", _, "type"], false) => {
             let signatures = library.iter().map(|(_, definition)| &definition.signature);
             signatures.map(|it| item(it.name, CLASS, it.group, &it.doc)).collect()
