@@ -11,6 +11,10 @@ use super::draft::{Draft, SourceKind};
 /// of the draft.
 pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, nodes: &[Node]) {
     for (at, (drafted, node)) in draft.nodes.iter().zip(nodes).enumerate() {
+        // In the place of a node over a list stand others, which have inputs of their own.
+        if drafted.node_type != Some(node.node_type) {
+            continue;
+        }
         let signature = draft.library.signature(node.node_type);
         for given in &drafted.inputs {
             let Some(input) = given.input else { continue };

@@ -99,7 +99,7 @@ fn arriving(draft: &Draft<'_>, source: &Source<'_>, hazard: Hazard) -> Option<St
             let of = format!("output `{}` of node `{name}`", output.name);
             known.then(|| format!("{of} may make {} ({range})", hazard.name()))
         }
-        SourceKind::Node(_, None) | SourceKind::Broken => None,
+        SourceKind::Node(_, None) | SourceKind::Compound(_) | SourceKind::Broken => None,
     }
 }
 

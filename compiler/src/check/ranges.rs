@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, Value, ValueKind, shortened, shown};
-use crate::nodes::{FINITE, Input, Literal, Type};
+use crate::nodes::{FINITE, Input, Literal};
 
 use super::draft::{Draft, SourceKind};
 
@@ -15,7 +15,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
         let signature = draft.library.signature(node_type);
         for given in &drafted.inputs {
             let Some(input) = given.input.map(|at| &signature.inputs[at]) else { continue };
-            if input.range == FINITE || input.value_type == Type::Lights {
+            if input.range == FINITE || !input.value_type.is_numeric() {
                 continue;
             }
             let what = || {
@@ -34,7 +34,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
                 SourceKind::Parameter(at) => {
                     parameter(reader, draft, at, given.source.value, input, &what);
                 }
-                SourceKind::Node(..) | SourceKind::Broken => {}
+                SourceKind::Node(..) | SourceKind::Compound(_) | SourceKind::Broken => {}
             }
         }
     }

@@ -23,6 +23,7 @@ pub fn definition() -> Definition {
                     range: NOT_NEGATIVE,
                     guarded: false,
                     scoped: false,
+                    list: false,
                 },
                 Input {
                     name: "body",
@@ -34,6 +35,7 @@ pub fn definition() -> Definition {
                     range: NOT_NEGATIVE,
                     guarded: false,
                     scoped: true,
+                    list: false,
                 },
             ],
             outputs: vec![Output {
