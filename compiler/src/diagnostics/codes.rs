@@ -228,6 +228,6 @@ codes! {
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 2 } } }, "roots": { "material": { "node": "n" } } }"#;
     MISPLACED_EFFECT "misplaced-effect" Error "An effect its shader type does not allow",
         "Each shader type is called at a moment of its own. A displacement runs before there is a scene, an output shader on finished pixels, a light shader while a light loop asks it: not every ray can be cast and not every light asked then.",
-        wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "displacement": { "node": "t" } } }"#,
+        wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "displacement": { "node": "t", "output": "distance" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "material": { "node": "t" } } }"#;
 }
