@@ -156,6 +156,10 @@ codes! {
         "No parameter of this name stands under `interface`.",
         wrong r#"{ "phenomenon": "a", "roots": { "material": { "interface": "tint" } } }"#,
         right r#"{ "phenomenon": "a", "interface": { "tint": { "type": "color", "default": [1, 0, 0] } }, "roots": { "material": { "interface": "tint" } } }"#;
+    UNKNOWN_MEMBER "unknown-member" Error "A member the struct does not have",
+        "The interface declares the struct with other members. Those that are not given have the defaults of their declarations.",
+        wrong r#"{ "phenomenon": "a", "interface": { "look": { "type": "struct", "members": { "tint": { "type": "color", "default": 1 } }, "default": { "struct": { "tnit": 0.5 } } } }, "roots": { "material": { "interface": "look.tint" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "look": { "type": "struct", "members": { "tint": { "type": "color", "default": 1 } }, "default": { "struct": { "tint": 0.5 } } } }, "roots": { "material": { "interface": "look.tint" } } }"#;
     TYPE_MISMATCH "type-mismatch" Error "A value of another type than the place takes",
         "An integer becomes a scalar, and a scalar a grey color, without being asked; any other change of type is a node of its own, so that the file says what is meant.",
         wrong r#"{ "phenomenon": "a", "nodes": { "s": { "type": "state" } }, "roots": { "material": { "node": "s", "output": "normal" } } }"#,
