@@ -32,6 +32,7 @@ mod sources;
 mod stations;
 mod types;
 
+pub use dead_inputs::dead_inputs;
 pub use graph::{Checked, MAX_NODES, check_graph, check_graph_with, read_graph_file};
 pub use light_loops::reads_light;
 pub use nested::{Files, MAX_FILE_DEPTH, OnDisk};
