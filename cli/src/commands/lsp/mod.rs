@@ -4,14 +4,13 @@ mod complete;
 mod cursor;
 mod file;
 mod hover;
-
-use std::collections::HashMap;
+mod open_files;
 
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, Response};
 use phenomenon_compiler::nodes::NodeLibrary;
 use serde_json::{Value, json};
 
-use self::file::OpenFile;
+use self::open_files::OpenFiles;
 use crate::failure::{Failure, Outcome};
 
 /// Talks the language server protocol over standard input and output: findings, completion of
@@ -32,11 +31,14 @@ pub fn run(_: &Arguments) -> Result<Outcome, Failure> {
         "hoverProvider": true,
     });
     connection.initialize(capabilities).map_err(|error| broken(&error))?;
-    let mut server = Server { library: NodeLibrary::standard(), files: HashMap::new() };
+    let mut server = Server { library: NodeLibrary::standard(), files: OpenFiles::default() };
+    // An editor that just stops, or says exit without shutdown, has crashed or is about to.
+    let mut outcome = Outcome::Found;
     for message in &connection.receiver {
         let answers = match message {
             Message::Request(request) => {
                 if connection.handle_shutdown(&request).map_err(|error| broken(&error))? {
+                    outcome = Outcome::Fine;
                     break;
                 }
                 vec![server.answer(request).into()]
@@ -53,17 +55,17 @@ pub fn run(_: &Arguments) -> Result<Outcome, Failure> {
     // The writing thread ends when nothing can be sent any more.
     drop(connection);
     threads.join().map_err(|error| broken(&error))?;
-    Ok(Outcome::Fine)
+    Ok(outcome)
 }
 
 struct Server {
     library: NodeLibrary,
-    /// By address.
-    files: HashMap<String, OpenFile>,
+    files: OpenFiles,
 }
 
 impl Server {
-    /// Takes note of an opened, changed or closed file, and yields its findings.
+    /// Takes note of an opened, changed or closed file, and yields its findings, and those of the
+    /// open files that use it.
     fn note(&mut self, notification: &Notification) -> Vec<Message> {
         let params = &notification.params;
         let Some(uri) = params["textDocument"]["uri"].as_str() else { return Vec::new() };
@@ -74,17 +76,17 @@ impl Server {
                 .and_then(|changes| changes.last())
                 .and_then(|change| change["text"].as_str()),
             "textDocument/didClose" => {
-                self.files.remove(uri);
-                return vec![findings_of(uri, Vec::new())];
+                let mut answers = vec![findings_of(uri, Vec::new())];
+                let users = self.files.close(uri, &self.library);
+                answers
+                    .extend(users.into_iter().map(|(uri, findings)| findings_of(&uri, findings)));
+                return answers;
             }
             _ => None,
         };
         let Some(text) = text else { return Vec::new() };
-        let before = self.files.remove(uri);
-        let file = OpenFile::read(uri, text, before, &self.library);
-        let findings = file.diagnostics();
-        self.files.insert(uri.to_owned(), file);
-        vec![findings_of(uri, findings)]
+        let changed = self.files.change(uri, text, &self.library);
+        changed.into_iter().map(|(uri, findings)| findings_of(&uri, findings)).collect()
     }
 
     fn answer(&self, request: Request) -> Response {
