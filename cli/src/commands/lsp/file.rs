@@ -55,6 +55,11 @@ impl OpenFile {
         Self { uri: uri.into(), source, findings, identity, used: HashSet::new(), document }
     }
 
+    /// Its path, from its address.
+    pub fn path(&self) -> &Path {
+        Path::new(&self.source.name)
+    }
+
     /// The text as it is now.
     pub fn text(&self) -> &str {
         &self.source.text
@@ -125,7 +130,7 @@ impl OpenFile {
         if let Some(related) = finding.related.iter().find(here) {
             return range(&related.place);
         }
-        let folder = Path::new(&self.source.name).parent().unwrap_or(Path::new(""));
+        let folder = self.path().parent().unwrap_or(Path::new(""));
         let named = self.document.as_ref().and_then(|document| {
             let names =
                 |name: &str| folder.join(name).display().to_string() == finding.place.file.name;

@@ -28,6 +28,15 @@ impl OpenFiles {
         self.files.get(uri)
     }
 
+    /// The file at a path: as it was JSON last in the editor, or else as it is on disk.
+    pub fn document(&self, path: &Path) -> Option<Document> {
+        let identity = OnDisk.identity(path);
+        match self.files.values().find(|file| file.identity == identity) {
+            Some(file) => file.document.clone(),
+            None => OnDisk.read(path).ok(),
+        }
+    }
+
     /// Takes the new text of a file; yields its findings and those of the files that use it.
     pub fn change(&mut self, uri: &str, text: &str, library: &NodeLibrary) -> Vec<Findings> {
         let before = self.files.remove(uri);
