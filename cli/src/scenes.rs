@@ -7,15 +7,16 @@ use std::time::Instant;
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::diagnostics::Place;
-use phenomenon_compiler::document::{Document, listed, nearest, read, read_file};
+use phenomenon_compiler::document::{Document, listed, read, read_file};
 use phenomenon_compiler::engine::{Options, Shade, Shader};
-use phenomenon_compiler::graph::{Binding, Graph, RootKind};
+use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::{Literal, NodeLibrary};
 use phenomenon_runtime::monoliths;
 use phenomenon_runtime::render::CALLED_ROOTS;
 use phenomenon_runtime::scene::{
-    BuildError, EnvironmentDescription, MaterialRef, MaterialSource, Scene, SceneDescription,
-    SceneFile, SceneOptions, default_scene, embedded_file, is_scene, read_scene,
+    BuildError, EnvironmentDescription, LightNames, MaterialRef, MaterialSource, Scene,
+    SceneDescription, SceneFile, SceneOptions, check_scene, default_scene, embedded_file, is_scene,
+    settings, unknown_lights,
 };
 
 use crate::arguments::{Assignment, EngineChoice, NodePath};
@@ -82,7 +83,7 @@ pub fn load(
         report::tell(&[*finding], 0);
         graphs::unusable(path)
     })?;
-    let (scene, subject) = if is_scene(&document) {
+    let (scene, lights, subject) = if is_scene(&document) {
         if !change.set.is_empty() || change.node.is_some() {
             return Err(Failure::new(
                 "--set and --node are for graphs, and this is a scene",
@@ -90,19 +91,19 @@ pub fn load(
             ));
         }
         let folder = path.parent().unwrap_or(Path::new(""));
-        let text = document.file.text.as_bytes();
-        (described(path, read_scene(&document.file.name, text, folder))?, None)
+        let (scene, lights) = described(path, check_scene(&document, folder))?;
+        (scene, lights, None)
     } else {
-        let subject = subject(path, &document, library, engine, change)?;
-        let mut scene = described(Path::new("the default scene"), default_scene())?;
+        let subject = subject(path, document, library, engine, change)?;
+        let (mut scene, lights) = described(Path::new("the default scene"), default_scene())?;
         show(&mut scene, &subject.graph);
-        (scene, Some(subject))
+        (scene, lights, Some(subject))
     };
     let mut materials = Materials {
         library,
         engine,
         subject,
-        lights: scene.lights.iter().map(|light| light.name.clone()).collect(),
+        lights,
         graphs: HashMap::new(),
         told: HashSet::new(),
         shaders: Vec::new(),
@@ -125,19 +126,21 @@ pub fn load(
 /// The graph that is looked at, with the values it is given.
 struct Subject {
     graph: Graph,
+    document: Arc<Document>,
     values: Vec<(String, Literal)>,
 }
 
 fn subject(
     path: &Path,
-    document: &Document,
+    document: Document,
     library: &NodeLibrary,
     engine: &EngineArguments,
     change: &Change<'_>,
 ) -> Result<Subject, Failure> {
-    let graph = graphs::checked(path, check_graph(document, library))?;
+    let graph = graphs::checked(path, check_graph(&document, library))?;
+    let document = Arc::new(document);
     let values = graphs::bind(&graph, change.set)?;
-    let Some(node) = change.node else { return Ok(Subject { graph, values }) };
+    let Some(node) = change.node else { return Ok(Subject { graph, document, values }) };
     if engine.engine == EngineChoice::Monolith {
         return Err(Failure::new(
             "--engine monolith: a monolith has no nodes to show",
@@ -148,7 +151,7 @@ fn subject(
     let graph = graph
         .with_root(library, node, output.unwrap_or(0))
         .map_err(|error| Failure::new(format!("--node: {error}"), ""))?;
-    Ok(Subject { graph, values })
+    Ok(Subject { graph, document, values })
 }
 
 /// A graph with an environment root becomes the environment; one without a material leaves the
@@ -166,19 +169,21 @@ fn show(scene: &mut SceneDescription, graph: &Graph) {
     }
 }
 
-fn described(path: &Path, file: SceneFile) -> Result<SceneDescription, Failure> {
+fn described(path: &Path, file: SceneFile) -> Result<(SceneDescription, LightNames), Failure> {
     report::tell(&file.findings, 0);
-    file.scene.ok_or_else(|| graphs::unusable(path))
+    match (file.scene, file.lights) {
+        (Some(scene), Some(lights)) => Ok((scene, lights)),
+        _ => Err(graphs::unusable(path)),
+    }
 }
 
 /// Makes shaders of the materials of a scene.
 struct Materials<'a> {
-    /// Names of the scene's lights.
-    lights: Vec<String>,
+    lights: LightNames,
     library: &'a Arc<NodeLibrary>,
     engine: &'a EngineArguments,
     subject: Option<Subject>,
-    graphs: HashMap<PathBuf, Graph>,
+    graphs: HashMap<PathBuf, (Graph, Arc<Document>)>,
     /// Names of graphs of which was told what is not done.
     told: HashSet<String>,
     shaders: Vec<Arc<Shader>>,
@@ -187,46 +192,10 @@ struct Materials<'a> {
 }
 
 impl Materials<'_> {
-    /// Refuses names of lights that the scene does not have: they would light nothing, unsaid.
-    fn know_lights(
-        &self,
-        graph: &Graph,
-        values: &[(String, Literal)],
-        material: &MaterialRef,
-    ) -> Result<(), Failure> {
-        let inputs = graph.nodes.iter().flat_map(|node| &node.inputs);
-        let literals = inputs.filter_map(|binding| match binding {
-            Binding::Literal(literal) => Some(literal),
-            _ => None,
-        });
-        let parameters = graph.parameters.iter().map(|parameter| {
-            let given = values.iter().find(|(name, _)| *name == parameter.name);
-            given.map_or(&parameter.default, |(_, literal)| literal)
-        });
-        for literal in literals.chain(parameters) {
-            let Literal::Lights(names) = literal else { continue };
-            let Some(unknown) = names.iter().find(|name| !self.lights.contains(name)) else {
-                continue;
-            };
-            let known = || self.lights.iter().map(String::as_str);
-            let help = match nearest(unknown, known()) {
-                Some(near) => near.help(),
-                None => format!("its lights are {}", known().collect::<Vec<_>>().join(", ")),
-            };
-            let place = shown(&material.place);
-            let message = format!(
-                "{place}: `{}` asks for the light `{unknown}`, which the scene does not have",
-                graph.name
-            );
-            return Err(Failure::new(message, help));
-        }
-        Ok(())
-    }
-
     fn shader(&mut self, material: &MaterialRef) -> Result<Arc<dyn Shade>, Failure> {
-        let (graph, mut values) = match &material.source {
+        let (graph, document, mut values) = match &material.source {
             MaterialSource::Subject => match &self.subject {
-                Some(subject) => (subject.graph.clone(), subject.values.clone()),
+                Some(it) => (it.graph.clone(), it.document.clone(), it.values.clone()),
                 None => {
                     return Err(Failure::new(
                         format!("{}: no graph is looked at", shown(&material.place)),
@@ -234,18 +203,23 @@ impl Materials<'_> {
                     ));
                 }
             },
-            MaterialSource::File(path) => (self.graph(path)?, Vec::new()),
+            MaterialSource::File(path) => {
+                let (graph, document) = self.graph(path)?;
+                (graph, document, Vec::new())
+            }
         };
-        for set in &material.set {
-            let literal = graph
-                .bind(&set.name, &set.text)
-                .map_err(|error| Failure::new(format!("{}: {error}", shown(&set.place)), ""))?;
+        let (set, mut findings) = settings(material, &graph);
+        for (name, literal) in set {
             // The command line has the last word.
-            if values.iter().all(|(name, _)| *name != set.name) {
-                values.push((set.name.clone(), literal));
+            if values.iter().all(|(known, _)| *known != name) {
+                values.push((name, literal));
             }
         }
-        self.know_lights(&graph, &values, material)?;
+        findings.extend(unknown_lights(&self.lights, material, &graph, &values, Some(&document)));
+        if !findings.is_empty() {
+            report::tell(&findings, 0);
+            return Err(graphs::unusable(Path::new(&material.place.file.name)));
+        }
         if self.told.insert(graph.name.clone()) {
             tell_idle_roots(&graph);
             tell_requirements(&graph);
@@ -263,23 +237,22 @@ impl Materials<'_> {
         }
     }
 
-    fn graph(&mut self, path: &Path) -> Result<Graph, Failure> {
-        if let Some(graph) = self.graphs.get(path) {
-            return Ok(graph.clone());
+    fn graph(&mut self, path: &Path) -> Result<(Graph, Arc<Document>), Failure> {
+        if let Some(known) = self.graphs.get(path) {
+            return Ok(known.clone());
         }
-        let graph = match embedded_file(path).filter(|_| self.subject.is_some()) {
-            Some(text) => {
-                let document = read(&path.display().to_string(), text.as_bytes());
-                let document = document.map_err(|finding| {
-                    report::tell(&[*finding], 0);
-                    graphs::unusable(path)
-                })?;
-                graphs::checked(path, check_graph(&document, self.library))?
-            }
-            None => graphs::read(path, self.library)?,
+        let document = match embedded_file(path).filter(|_| self.subject.is_some()) {
+            Some(text) => read(&path.display().to_string(), text.as_bytes()),
+            None => read_file(path),
         };
-        self.graphs.insert(path.to_owned(), graph.clone());
-        Ok(graph)
+        let document = document.map_err(|finding| {
+            report::tell(&[*finding], 0);
+            graphs::unusable(path)
+        })?;
+        let graph = graphs::checked(path, check_graph(&document, self.library))?;
+        let known = (graph, Arc::new(document));
+        self.graphs.insert(path.to_owned(), known.clone());
+        Ok(known)
     }
 }
 

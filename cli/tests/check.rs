@@ -235,6 +235,33 @@ fn scenes_are_checked_with_their_graphs() {
     scene(&file("broken/cycle_of_two.json"), "", &sky);
     assert_eq!(codes(1), ["cycle"]);
     scene("nowhere.json", "", &sky);
-    let report = run(&["check", name], None, 2);
+    let report = run(&["check", name], None, 1);
     assert!(report.contains("nowhere.json"), "{report}");
+    // What may surely be put in is put into the scene, and never into the graphs it uses.
+    let graph = folder.path().join("lamps.json");
+    let lamps = r#"{ "phenomenon": "lamps", "interface": { "lamps": { "type": "lights", "default": [{ "light": "kye" }] } },
+  "nodes": { "d": { "type": "lambert" }, "l": { "type": "light_loop", "inputs": { "lights": { "interface": "lamps" }, "body": { "node": "d" } } } },
+  "roots": { "material": { "node": "l" } } }"#;
+    std::fs::write(&graph, lamps).unwrap();
+    let scene = |set: &str| {
+        format!(
+            r#"{{ "scene": "s", "camera": {{ "position": [0, 1, 5], "look_at": [0, 0, 0] }}, "lights": [{{ "name": "key", "point": {{ "position": [0, 9, 0] }} }}],
+  "objects": [{{ "sphere": {{ "radius": 1 }}, "material": {{ "file": "lamps.json"{set} }} }}] }}"#
+        )
+    };
+    let broken = scene(r#", "set": { "lmaps": ["key", { "light": "kye" }] }"#);
+    std::fs::write(&path, &broken).unwrap();
+    assert_eq!(codes(1), ["unknown-parameter"], "the default light may not have been meant");
+    run(&["check", "--fix", name], None, 1);
+    let mended = std::fs::read_to_string(&path).unwrap();
+    assert_eq!(mended, broken.replace("lmaps", "lamps"), "an object is no name to replace");
+    let broken = scene(r#", "set": { "lamps": ["key", "kye"] }"#);
+    std::fs::write(&path, &broken).unwrap();
+    assert_eq!(codes(1), ["unknown-light"]);
+    run(&["check", "--fix", name], None, 0);
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), broken.replace("kye", "key"));
+    std::fs::write(&path, scene("")).unwrap();
+    assert_eq!(codes(1), ["unknown-light"]);
+    run(&["check", "--fix", name], None, 1);
+    assert_eq!(std::fs::read_to_string(&graph).unwrap(), lamps, "another scene may have the light");
 }

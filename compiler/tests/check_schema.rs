@@ -103,7 +103,12 @@ fn structural_mistakes_do_not_suit_the_schema() {
     let schema = schema();
     let library = NodeLibrary::standard();
     let mut structural = 0;
-    for path in json_files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../graphs/broken")) {
+    let broken = Path::new(env!("CARGO_MANIFEST_DIR")).join("../graphs/broken");
+    for path in json_files(&broken) {
+        // Scenes are checked by the command line, whose tests look at those.
+        if path.starts_with(broken.join("scenes")) {
+            continue;
+        }
         let text = std::fs::read_to_string(&path).unwrap();
         let Ok(document) = read("a", text.as_bytes()) else { continue };
         let checked = check_graph(&document, &library);

@@ -2,10 +2,22 @@
 
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, shortened};
-use crate::graph::{Binding, Node};
+use crate::graph::{Binding, Graph, Node};
 use crate::nodes::{Default, Literal, NodeLibrary, Type};
 
 use super::draft::{Draft, SourceKind};
+
+/// The inputs of a checked graph that are never evaluated, whatever is given for them, because
+/// constants decide their guard: positions of a node and of one of its inputs, ascending.
+pub fn dead_inputs(graph: &Graph, library: &NodeLibrary) -> Vec<(usize, usize)> {
+    let mut dead = Vec::new();
+    for (at, node) in graph.nodes.iter().enumerate() {
+        let inputs = library.signature(node.node_type).inputs.iter().enumerate();
+        let ruled_out = inputs.filter(|(input, it)| it.guarded && never(library, node, *input));
+        dead.extend(ruled_out.map(|(input, _)| (at, input)));
+    }
+    dead
+}
 
 /// Reports connections to inputs whose guard never holds. `nodes` are the bound nodes, one for each
 /// of the draft.

@@ -35,6 +35,7 @@ mod stations;
 mod textures;
 mod types;
 
+pub use dead_inputs::dead_inputs;
 pub use graph::{Checked, MAX_NODES, check_graph, check_graph_with, read_graph_file};
 pub use light_loops::reads_light;
 pub use nested::{Files, MAX_FILE_DEPTH, OnDisk};

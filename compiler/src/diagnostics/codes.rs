@@ -230,6 +230,10 @@ codes! {
         "A constant or the range of a parameter lets a node divide by zero or raise a negative number to a power. The result is defined, and the same in every engine, but hardly what is wanted.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 0 } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 2 } } }, "roots": { "material": { "node": "n" } } }"#;
+    UNKNOWN_LIGHT "unknown-light" Error "A light the scene does not have",
+        "A graph, or a `set` of a scene, names lights of the scene that uses it. A name that is none of them would light nothing. The finding is shown where the name is written, with the scene that lacks it. Checking a graph alone cannot find it: which lights there are is a matter of the scene.",
+        wrong r#"scene.json: { … "lights": [{ "name": "key", … }], "objects": [{ … "set": { "lights": ["kye"] } }] }"#,
+        right r#"scene.json: { … "lights": [{ "name": "key", … }], "objects": [{ … "set": { "lights": ["key"] } }] }"#;
     MISPLACED_EFFECT "misplaced-effect" Error "An effect its shader type does not allow",
         "Each shader type is called at a moment of its own. A displacement runs before there is a scene, an output shader on finished pixels, a light shader while a light loop asks it: not every ray can be cast and not every light asked then.",
         wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "displacement": { "node": "t", "output": "distance" } } }"#,

@@ -18,7 +18,11 @@ pub(super) fn define(definitions: &mut Map<String, Value>) {
         json!({
             "type": "object",
             "description": "Parameters of the graph and their values.",
-            "additionalProperties": { "type": ["number", "string", "boolean", "array"] },
+            "additionalProperties": { "anyOf": [
+                { "type": ["number", "string", "boolean", "array", "null"] },
+                reference("light_literal"),
+                reference("texture_literal"),
+            ] },
         }),
     );
 }

@@ -1,11 +1,12 @@
 //! What is drawn: cards with sockets, and wires between them, before anything has a place.
 
-use crate::effects::Effect;
+use crate::check::dead_inputs;
 use crate::graph::{Binding, Graph, Root};
-use crate::nodes::{Definition, Input, Kind, NodeLibrary, Type};
+use crate::nodes::{Default, Definition, Input, NodeLibrary, Type};
 
 use super::ShowError;
-use super::theme::Accent;
+use super::dead::{Dead, mark_dead};
+use super::implied::{Badge, Implied, badge, implied};
 use super::values::{self, Value};
 
 /// All that is drawn of a graph: its parameters first, then its nodes, then its roots.
@@ -44,9 +45,9 @@ pub(super) struct Card<'a> {
     /// A longer text for those who point at it.
     pub doc: &'a str,
     /// What it asks of the renderer, or does to the state.
-    pub badge: Option<(Accent, String)>,
-    /// Whether no root reaches it.
-    pub dead: bool,
+    pub badge: Option<Badge>,
+    /// Why it is never evaluated; none where it is.
+    pub dead: Option<Dead>,
     /// For parameters: the default.
     pub value: Option<Value>,
     /// Left side, from the top.
@@ -65,6 +66,8 @@ pub(super) struct InputSocket {
     pub guarded: bool,
     /// Evaluated under a changed state, or many times.
     pub scoped: bool,
+    /// Whether it is never evaluated, because constants decide its guard.
+    pub ruled_out: bool,
     /// What stands beside the name.
     pub given: Given,
 }
@@ -77,8 +80,10 @@ pub(super) enum Given {
     Parameter(String),
     /// A literal.
     Literal(Value),
-    /// The default of the signature.
+    /// A literal that is the default of the signature.
     Default(Value),
+    /// A default that is evaluated: a field of the state, or a node without a box.
+    Implied(Implied),
 }
 
 /// An output in use.
@@ -98,8 +103,10 @@ pub(super) struct Wire {
     pub to: (usize, usize),
     /// Whether the value changes type on arrival.
     pub converts: bool,
-    /// Whether no root is reached through it.
+    /// Whether nothing is ever evaluated through it.
     pub dead: bool,
+    /// Whether it is dead because of its own input, which constants rule out.
+    pub ruled_out: bool,
 }
 
 impl<'a> Diagram<'a> {
@@ -118,8 +125,14 @@ impl<'a> Diagram<'a> {
         if boxes > limit {
             return Err(ShowError::TooManyBoxes { boxes, limit });
         }
-        let builder = Builder { graph, definitions: definitions(graph, library)? };
+        let mut builder = Builder {
+            graph,
+            library,
+            definitions: definitions(graph, library)?,
+            ruled_out: vec![],
+        };
         builder.require_bindings()?;
+        builder.ruled_out = dead_inputs(graph, library);
         Ok(builder.diagram())
     }
 }
@@ -154,7 +167,10 @@ fn inconsistent(place: &str, problem: &str) -> ShowError {
 
 struct Builder<'a> {
     graph: &'a Graph,
+    library: &'a NodeLibrary,
     definitions: Vec<&'a Definition>,
+    /// Node and input, ascending.
+    ruled_out: Vec<(usize, usize)>,
 }
 
 impl<'a> Builder<'a> {
@@ -201,7 +217,7 @@ impl<'a> Builder<'a> {
             subtitle: parameter.value_type.name(),
             doc: &parameter.doc,
             badge: None,
-            dead: true,
+            dead: Some(Dead::Unreached),
             value: Some(values::literal(&parameter.default)),
             inputs: Vec::new(),
             outputs: vec![OutputSocket { name: "", value_type: parameter.value_type }],
@@ -211,16 +227,19 @@ impl<'a> Builder<'a> {
     fn node_card(&self, at: usize) -> Card<'a> {
         let (node, definition) = (&self.graph.nodes[at], self.definitions[at]);
         let signature = &definition.signature;
-        let inputs = signature.inputs.iter().zip(&node.inputs);
+        let given = signature.inputs.iter().zip(&node.inputs).enumerate();
+        let inputs: Vec<InputSocket> =
+            given.map(|(k, (input, binding))| self.input((at, k), input, binding)).collect();
+        let own = badge(&signature.kind);
         Card {
             role: Role::Node,
             title: &node.name,
             subtitle: signature.name,
             doc: &signature.doc,
-            badge: badge(&signature.kind),
-            dead: true,
+            badge: own.or_else(|| inputs.iter().find_map(InputSocket::asks)),
+            dead: Some(Dead::Unreached),
             value: None,
-            inputs: inputs.map(|(input, binding)| self.input(at, input, binding)).collect(),
+            inputs,
             outputs: Vec::new(),
         }
     }
@@ -231,6 +250,7 @@ impl<'a> Builder<'a> {
             value_type,
             guarded: false,
             scoped: false,
+            ruled_out: false,
             given: match self.given(binding) {
                 Some(given) => given,
                 None => Given::Default(Value::plain("true")),
@@ -246,23 +266,30 @@ impl<'a> Builder<'a> {
             subtitle: "root",
             doc: "",
             badge: None,
-            dead: false,
+            dead: None,
             value: None,
             inputs,
             outputs: Vec::new(),
         }
     }
 
-    fn input(&self, at: usize, input: &Input, binding: &Binding) -> InputSocket {
-        let value_type = self.settled(at, input.value_type);
-        let given = self.given(binding);
+    fn input(&self, at: (usize, usize), input: &Input, binding: &Binding) -> InputSocket {
+        let value_type = self.settled(at.0, input.value_type);
+        let stands_in = || match &input.default {
+            Default::Literal(_) | Default::Required => {
+                Given::Default(values::default(&input.default, value_type))
+            }
+            Default::State(_) | Default::Node(_) => {
+                Given::Implied(implied(self.library, &input.default))
+            }
+        };
         InputSocket {
             name: input.name,
             value_type,
             guarded: input.guarded,
             scoped: input.scoped,
-            given: given
-                .unwrap_or_else(|| Given::Default(values::default(&input.default, value_type))),
+            ruled_out: self.ruled_out.binary_search(&at).is_ok(),
+            given: self.given(binding).unwrap_or_else(stands_in),
         }
     }
 
@@ -318,8 +345,9 @@ impl<'a> Builder<'a> {
                 Binding::Default | Binding::Literal(_) => continue,
             };
             let from_type = diagram.cards[from.0].outputs[from.1].value_type;
-            let to_type = diagram.cards[to.0].inputs[to.1].value_type;
-            diagram.wires.push(Wire { from, to, converts: from_type != to_type, dead: true });
+            let input = &diagram.cards[to.0].inputs[to.1];
+            let (converts, ruled_out) = (from_type != input.value_type, input.ruled_out);
+            diagram.wires.push(Wire { from, to, converts, dead: true, ruled_out });
         }
     }
 
@@ -336,34 +364,12 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// What is said in the header of a node.
-fn badge(kind: &Kind) -> Option<(Accent, String)> {
-    match kind {
-        Kind::Plain | Kind::List(_) => None,
-        Kind::Fields(_) => Some((Accent::State, "state".to_owned())),
-        Kind::Request(Effect::LightColor) => Some((Accent::Light, "light".to_owned())),
-        Kind::Request(_) => Some((Accent::Ray, "ray".to_owned())),
-        Kind::LightLoop => Some((Accent::Light, "light loop".to_owned())),
-        Kind::Scope(_) => Some((Accent::Scope, "scope".to_owned())),
-    }
-}
-
-/// Finds what a root reaches. Iterative: chains may be long.
-fn mark_dead(diagram: &mut Diagram<'_>) {
-    let mut incoming: Vec<Vec<usize>> = vec![Vec::new(); diagram.cards.len()];
-    for (at, wire) in diagram.wires.iter().enumerate() {
-        incoming[wire.to.0].push(at);
-    }
-    let mut open: Vec<usize> = (diagram.parameters + diagram.nodes..diagram.cards.len()).collect();
-    while let Some(card) = open.pop() {
-        for &at in &incoming[card] {
-            let wire = &mut diagram.wires[at];
-            wire.dead = false;
-            let source = &mut diagram.cards[wire.from.0];
-            if source.dead {
-                source.dead = false;
-                open.push(wire.from.0);
-            }
+impl InputSocket {
+    /// What its default asks of the renderer.
+    fn asks(&self) -> Option<Badge> {
+        match &self.given {
+            Given::Implied(implied) if !self.ruled_out => implied.asks.clone(),
+            _ => None,
         }
     }
 }

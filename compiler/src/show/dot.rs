@@ -5,10 +5,11 @@ use std::fmt::Write;
 use crate::graph::Graph;
 use crate::nodes::NodeLibrary;
 
-use super::diagram::{Card, Diagram, Role};
+use super::diagram::{Card, Diagram, Given, Role};
 use super::error::ShowError;
 use super::escape::{dot, xml};
 use super::frames::given_text;
+use super::implied::Implied;
 use super::theme::{HEADER, MUTED, OUTLINE, PAPER, PARAMETER, PARAMETER_BOX, ROOT, color};
 
 /// Most characters of a text in a box.
@@ -57,7 +58,9 @@ pub fn draw_dot(graph: &Graph, library: &NodeLibrary) -> Result<String, ShowErro
         } else if target.scoped {
             attributes.push_str(", style=dashed");
         }
-        if target.guarded {
+        if target.ruled_out {
+            attributes.push_str(", arrowhead=tee");
+        } else if target.guarded {
             attributes.push_str(", arrowhead=empty");
         }
         if wire.converts {
@@ -89,20 +92,20 @@ fn table(card: &Card<'_>) -> String {
     let fill = match (card.role, &card.badge) {
         (Role::Root, _) => ROOT,
         (Role::Parameter, _) => PARAMETER_BOX,
-        (Role::Node, Some((accent, _))) => accent.colors().0,
+        (Role::Node, Some(badge)) => badge.accent.colors().0,
         (Role::Node, None) => HEADER,
     };
     let ink = if card.role == Role::Root { PAPER } else { "#000000" };
-    let style = if card.dead { " STYLE=\"DASHED\"" } else { "" };
+    let style = if card.dead.is_some() { " STYLE=\"DASHED\"" } else { "" };
     let port = if card.role == Role::Parameter { " PORT=\"o0\"" } else { "" };
     let mut second = card.subtitle.to_owned();
-    if let Some((_, badge)) = &card.badge {
-        let _ = write!(second, " [{badge}]");
+    if let Some(badge) = &card.badge {
+        let _ = write!(second, " [{}]", badge.text);
     }
     if let Some(value) = &card.value {
         let _ = write!(second, " = {}", value.text);
     }
-    if card.dead {
+    if card.dead.is_some() {
         second.push_str(" (dead)");
     }
     let small = if card.role == Role::Root { PAPER } else { MUTED };
@@ -132,14 +135,16 @@ fn input_cell(card: &Card<'_>, row: usize) -> String {
     let given = given_text(&input.given);
     let value = match given {
         "" => String::new(),
-        given => format!(" <FONT COLOR=\"{}\">{}</FONT>", given_color(card, row), cell(given)),
+        given => format!(" <FONT COLOR=\"{}\">{}</FONT>", given_color(&input.given), cell(given)),
     };
-    format!("<TD ALIGN=\"LEFT\" PORT=\"i{row}\">{}{value}</TD>", cell(input.name))
+    let ruled_out = if input.ruled_out { " (ruled out)" } else { "" };
+    format!("<TD ALIGN=\"LEFT\" PORT=\"i{row}\">{}{value}{ruled_out}</TD>", cell(input.name))
 }
 
-fn given_color(card: &Card<'_>, row: usize) -> &'static str {
-    match card.inputs[row].given {
-        super::diagram::Given::Parameter(_) => PARAMETER,
+fn given_color(given: &Given) -> &'static str {
+    match given {
+        Given::Parameter(_) => PARAMETER,
+        Given::Implied(Implied { accent: Some(accent), .. }) => accent.colors().1,
         _ => MUTED,
     }
 }

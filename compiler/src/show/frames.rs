@@ -16,6 +16,8 @@ pub(super) const PADDING: f64 = 5.0;
 pub(super) const INDENT: f64 = 11.0;
 /// Side of the square that shows a colour.
 pub(super) const SWATCH: f64 = 9.0;
+/// From the end of a pill to its text.
+pub(super) const PILL_END: f64 = 6.0;
 /// Between two texts of a row.
 pub(super) const TEXT_GAP: f64 = 8.0;
 
@@ -57,6 +59,7 @@ pub(super) fn given_text(given: &Given) -> &str {
         Given::Wire => "",
         Given::Parameter(name) => name,
         Given::Literal(value) | Given::Default(value) => &value.text,
+        Given::Implied(implied) => &implied.text,
     }
 }
 
@@ -64,7 +67,7 @@ pub(super) fn given_text(given: &Given) -> &str {
 pub(super) fn given_value(given: &Given) -> Option<&Value> {
     match given {
         Given::Literal(value) | Given::Default(value) => Some(value),
-        Given::Wire | Given::Parameter(_) => None,
+        Given::Wire | Given::Parameter(_) | Given::Implied(_) => None,
     }
 }
 
@@ -72,7 +75,11 @@ pub(super) fn given_value(given: &Given) -> Option<&Value> {
 pub(super) fn value_room(given: &Given) -> f64 {
     let swatch = given_value(given).is_some_and(|value| value.swatch.is_some());
     let text = ROW.width(given_text(given)).min(WIDEST_VALUE);
-    if swatch { text + SWATCH + 3.0 } else { text }
+    match given {
+        Given::Implied(_) => text + 2.0 * PILL_END,
+        _ if swatch => text + SWATCH + 3.0,
+        _ => text,
+    }
 }
 
 /// Room the name of a socket may take.
@@ -104,7 +111,7 @@ fn parameter_frame(card: &Card<'_>) -> Frame {
 
 fn rows_frame(card: &Card<'_>) -> Frame {
     let rows = card.inputs.len().max(card.outputs.len());
-    let badge = card.badge.as_ref().map_or(0.0, |(_, text)| TEXT_GAP + badge_width(text));
+    let badge = card.badge.as_ref().map_or(0.0, |badge| TEXT_GAP + badge_width(badge.text));
     let subtitle = match card.role {
         Role::Root => 0.0,
         Role::Parameter | Role::Node => SMALL.width(card.subtitle) + badge,

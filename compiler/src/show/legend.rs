@@ -5,8 +5,9 @@ use std::fmt::Write;
 use crate::nodes::Type;
 
 use super::diagram::{Diagram, Given};
-use super::svg::{Look, Pen, short};
-use super::theme::{MUTED, OUTLINE, PAPER, PARAMETER, SMALL, color};
+use super::marks::Look;
+use super::svg::{Pen, short};
+use super::theme::{HEADER, MUTED, OUTLINE, PAPER, PARAMETER, SMALL, color};
 
 /// Height of a line.
 const LINE: f64 = 18.0;
@@ -23,6 +24,8 @@ enum Sign {
     Scoped,
     Conversion,
     Parameter,
+    Implied,
+    RuledOut,
     Dead,
 }
 
@@ -34,7 +37,9 @@ impl Sign {
             Sign::Scoped => "evaluated in the scope of the node",
             Sign::Conversion => "converted",
             Sign::Parameter => "interface parameter",
-            Sign::Dead => "dead: no root reaches it",
+            Sign::Implied => "default that is evaluated, without a box",
+            Sign::RuledOut => "ruled out by a constant",
+            Sign::Dead => "dead: never evaluated",
         }
     }
 }
@@ -78,7 +83,9 @@ fn signs(diagram: &Diagram<'_>) -> Vec<Sign> {
         (Sign::Scoped, inputs().any(|input| input.scoped)),
         (Sign::Conversion, diagram.wires.iter().any(|wire| wire.converts)),
         (Sign::Parameter, inputs().any(|input| matches!(input.given, Given::Parameter(_)))),
-        (Sign::Dead, cards.iter().any(|card| card.dead)),
+        (Sign::Implied, inputs().any(|input| matches!(input.given, Given::Implied(_)))),
+        (Sign::RuledOut, inputs().any(|input| input.ruled_out)),
+        (Sign::Dead, cards.iter().any(|card| card.dead.is_some())),
     ];
     signs.extend(marks.iter().filter(|(_, used)| *used).map(|(sign, _)| *sign));
     signs
@@ -112,6 +119,11 @@ pub(super) fn write(pen: &mut Pen, legend: &Legend) {
                     short(y + 3.4),
                     SMALL.size
                 );
+            }
+            Sign::Implied => pen.pill(x + 4.0, y, (SMALL, 18.0), (HEADER, MUTED), ("ab", "")),
+            Sign::RuledOut => {
+                pen.stroke(x + 2.0, y, color(Type::Scalar));
+                pen.crossing_out(x + 14.0, y, false);
             }
             Sign::Dead => {
                 let _ = writeln!(

@@ -25,14 +25,17 @@
 //! on hashes, time or addresses: the same graph gives the same bytes.
 
 mod coordinates;
+mod dead;
 mod diagram;
 mod dot;
 mod error;
 mod escape;
 mod frames;
+mod implied;
 mod layers;
 mod layout;
 mod legend;
+mod marks;
 mod order;
 mod routes;
 mod svg;

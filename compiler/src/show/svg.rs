@@ -3,20 +3,23 @@
 use std::fmt::Write;
 
 use crate::graph::Graph;
-use crate::nodes::{NodeLibrary, Type};
+use crate::nodes::NodeLibrary;
 
+use super::dead::Dead;
 use super::diagram::{Card, Diagram, Given, InputSocket, OutputSocket, Role, Wire};
 use super::error::{MAX_BOXES, ShowError};
 use super::escape::xml;
 use super::frames::{
-    Frame, INDENT, SWATCH, TEXT_GAP, badge_width, given_text, given_value, header, name_room,
+    Frame, INDENT, PILL_END, SWATCH, TEXT_GAP, badge_width, given_text, given_value, header,
+    name_room,
 };
 use super::layout::{Layout, Place, Track, layout};
 use super::legend;
+use super::marks::Look;
 use super::text::Font;
 use super::theme::{
-    BADGE, FAINT, FAMILY, HEADER, HEADING, INK, MUTED, OUTLINE, PAGE, PAPER, PARAMETER,
-    PARAMETER_BOX, ROOT, ROW, SMALL, Shape, TITLE, color, shape, srgb,
+    Accent, BADGE, FAINT, FAMILY, HEADER, HEADING, INK, MUTED, OUTLINE, PAGE, PAPER, PARAMETER,
+    PARAMETER_BOX, PILL, ROOT, ROW, SMALL, STATE_PILL, TITLE, color, srgb,
 };
 use super::values::Value;
 
@@ -30,7 +33,8 @@ const NARROWEST_PAGE: f64 = 480.0;
 const LONGEST_TIP: usize = 4_000;
 
 /// Draws `graph` as an SVG document: parameters at the left, roots at the right, wires between
-/// sockets in the colour of the type they carry, with a legend. What no root reaches is faded.
+/// sockets in the colour of the type they carry, with a legend. What is never evaluated is
+/// faded.
 ///
 /// # Errors
 /// More than [`MAX_BOXES`] boxes, or a graph that was not checked with `library`.
@@ -84,7 +88,7 @@ fn heading(pen: &mut Pen, diagram: &Diagram<'_>, width: f64) {
     if diagram.parameters > 0 {
         counts.push(count(diagram.parameters, "parameter"));
     }
-    let dead = diagram.cards.iter().filter(|card| card.dead).count();
+    let dead = diagram.cards.iter().filter(|card| card.dead.is_some()).count();
     if dead > 0 {
         counts.push(format!("{dead} dead"));
     }
@@ -119,7 +123,11 @@ fn wires(pen: &mut Pen, diagram: &Diagram<'_>, layout: &Layout) {
         if track.is_empty() {
             let (place, frame) = (&layout.places[wire.to.0], &layout.frames[wire.to.0]);
             let value_type = diagram.cards[wire.from.0].outputs[wire.from.1].value_type;
-            pen.stub(place.x, place.y + frame.inputs[wire.to.1], value_type, wire.dead);
+            let y = place.y + frame.inputs[wire.to.1];
+            pen.stub(place.x, y, value_type, wire.dead);
+            if wire.ruled_out {
+                pen.crossing_out(place.x - 8.0, y, diagram.cards[wire.to.0].dead.is_some());
+            }
         }
     }
 }
@@ -161,7 +169,8 @@ impl Pen {
         self.styled_text(x, y, font, fill, "", text);
     }
 
-    fn styled_text(&mut self, x: f64, y: f64, font: Font, fill: &str, style: &str, text: &str) {
+    /// The same with further attributes.
+    pub fn styled_text(&mut self, x: f64, y: f64, font: Font, fill: &str, style: &str, text: &str) {
         let weight = if font.bold { " font-weight=\"700\"" } else { "" };
         let _ = writeln!(
             self.svg,
@@ -201,41 +210,23 @@ impl Pen {
         } else {
             String::new()
         };
-        self.tip(&format!("{from} → {}.{}{converted}", target.title, input.name));
+        let dead = match (wire.ruled_out, wire.dead) {
+            (true, _) => ": never evaluated, a constant rules it out",
+            (false, true) => ": dead",
+            (false, false) => "",
+        };
+        self.tip(&format!("{from} → {}.{}{converted}{dead}", target.title, input.name));
         self.svg.push_str("</path>\n");
-        if let (true, Some(end)) = (wire.converts, track.last()) {
+        let Some(end) = track.last() else { return };
+        if wire.ruled_out {
+            self.crossing_out(end.x - 14.0, end.y, target.dead.is_some());
+        } else if wire.converts {
             self.conversion(end.x - 9.0, end.y, wire.dead);
         }
     }
 
-    /// What is left of a parameter's wire that is not drawn, before the socket at `x`.
-    pub fn stub(&mut self, x: f64, y: f64, value_type: Type, dead: bool) {
-        let faded = if dead { " opacity=\"0.5\"" } else { "" };
-        let _ = writeln!(
-            self.svg,
-            "<path d=\"M{} {}v8m0 -4h14\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{faded}/>",
-            short(x - 14.0),
-            short(y - 4.0),
-            color(value_type)
-        );
-    }
-
-    /// A mark on a wire whose value changes type; its tip is at `x`.
-    pub fn conversion(&mut self, x: f64, y: f64, dead: bool) {
-        let faded = if dead { " opacity=\"0.5\"" } else { "" };
-        let _ = writeln!(
-            self.svg,
-            "<path d=\"M{} {}l5 4.5l-5 4.5M{} {}l5 4.5l-5 4.5\" fill=\"none\" stroke=\"{INK}\" \
-             stroke-width=\"1.6\"{faded}/>",
-            short(x - 10.0),
-            short(y - 4.5),
-            short(x - 5.0),
-            short(y - 4.5)
-        );
-    }
-
     fn card(&mut self, card: &Card<'_>, frame: &Frame, place: Place) {
-        let faded = if card.dead { " opacity=\"0.5\"" } else { "" };
+        let faded = if card.dead.is_some() { " opacity=\"0.5\"" } else { "" };
         let _ = writeln!(
             self.svg,
             "<g transform=\"translate({} {})\"{faded}>",
@@ -262,7 +253,7 @@ impl Pen {
     }
 
     fn parameter(&mut self, card: &Card<'_>, frame: &Frame) {
-        self.outline(frame, frame.height / 2.0, PARAMETER_BOX, card.dead);
+        self.outline(frame, frame.height / 2.0, PARAMETER_BOX, card.dead.is_some());
         let room = frame.width - 2.0 * INDENT;
         self.text(INDENT, 13.0, TITLE, PARAMETER, &TITLE.fitted(card.title, room));
         let y = 28.0;
@@ -278,10 +269,10 @@ impl Pen {
 
     fn rows(&mut self, card: &Card<'_>, frame: &Frame) {
         let top = header(card);
-        self.outline(frame, 6.0, PAPER, card.dead);
+        self.outline(frame, 6.0, PAPER, card.dead.is_some());
         let (fill, ink) = match (card.role, &card.badge) {
             (Role::Root, _) => (ROOT, PAPER),
-            (_, Some((accent, _))) => (accent.colors().0, INK),
+            (_, Some(badge)) => (badge.accent.colors().0, INK),
             (_, None) => (HEADER, INK),
         };
         let _ = writeln!(self.svg, "<path d=\"{}\" fill=\"{fill}\"/>", header_path(frame, top));
@@ -304,20 +295,14 @@ impl Pen {
     fn second_line(&mut self, card: &Card<'_>, frame: &Frame) {
         let y = 25.5;
         let mut room = frame.width - 2.0 * INDENT;
-        if let Some((accent, text)) = &card.badge {
-            let width = badge_width(text);
+        if let Some(badge) = &card.badge {
+            let width = badge_width(badge.text);
             let x = frame.width - 6.0 - width;
             room -= width + TEXT_GAP - (INDENT - 6.0);
-            let _ = writeln!(
-                self.svg,
-                "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"13\" rx=\"6.5\" fill=\"{}\"/>",
-                short(x),
-                short(y - 6.5),
-                short(width),
-                accent.colors().1
-            );
-            let middle = " text-anchor=\"middle\"";
-            self.styled_text(x + width / 2.0, y, BADGE, PAPER, middle, text);
+            let dark = badge.accent.colors().1;
+            // Hollow where only a default asks.
+            let colors = if badge.by_default { (PAPER, dark) } else { (dark, PAPER) };
+            self.pill(x, y, (BADGE, width), colors, (badge.text, ""));
         }
         self.text(INDENT, y, SMALL, MUTED, &SMALL.fitted(card.subtitle, room));
     }
@@ -331,17 +316,29 @@ impl Pen {
         self.text(INDENT, y, ROW, ink, &ROW.fitted(input.name, room));
         let x = INDENT + room + TEXT_GAP;
         let width = super::frames::value_room(&input.given);
-        let style = match &input.given {
+        let (fill, slant) = match &input.given {
             Given::Wire => return,
             Given::Parameter(_) => (PARAMETER, " font-style=\"italic\""),
             Given::Literal(_) => (INK, ""),
-            Given::Default(_) => (FAINT, ""),
+            Given::Default(_) | Given::Implied(_) => (FAINT, ""),
         };
-        match given_value(&input.given) {
-            Some(value) => self.value(x, y, width, ROW, style, value),
-            None => {
+        let struck = if input.ruled_out { " text-decoration=\"line-through\"" } else { "" };
+        let style = format!("{slant}{struck}");
+        match (&input.given, given_value(&input.given)) {
+            (Given::Implied(implied), _) => {
+                let text = ROW.fitted(&implied.text, width - 2.0 * PILL_END);
+                let live = implied.accent.filter(|_| !input.ruled_out);
+                let colors = live.map_or((PILL, MUTED), |accent| match accent {
+                    // The state is read everywhere: it must not shout.
+                    Accent::State => (STATE_PILL, accent.colors().1),
+                    _ => accent.colors(),
+                });
+                self.pill(x, y, (ROW, width), colors, (&text, &style));
+            }
+            (_, Some(value)) => self.value(x, y, width, ROW, (fill, &style), value),
+            (_, None) => {
                 let text = ROW.fitted(given_text(&input.given), width);
-                self.styled_text(x, y, ROW, style.0, style.1, &text);
+                self.styled_text(x, y, ROW, fill, &style, &text);
             }
         }
     }
@@ -376,45 +373,6 @@ impl Pen {
         self.styled_text(width - INDENT, y, ROW, MUTED, " text-anchor=\"end\"", &name);
         self.socket(width, y, output.value_type, Look::plain());
     }
-
-    /// A socket round a point.
-    pub fn socket(&mut self, x: f64, y: f64, value_type: Type, look: Look) {
-        let stroke = color(value_type);
-        let fill = if look.hollow { PAPER } else { stroke };
-        let radius = if look.small { 3.4 } else { 4.6 };
-        if look.double {
-            let outer = path(shape(value_type), x, y, radius + 3.4);
-            let _ = writeln!(
-                self.svg,
-                "<path d=\"{outer}\" fill=\"{PAPER}\" stroke=\"{stroke}\" stroke-width=\"1.3\"/>"
-            );
-        }
-        let inner = path(shape(value_type), x, y, radius);
-        let edge = if look.hollow { stroke } else { PAPER };
-        let width = if look.hollow { "1.8" } else { "1" };
-        let _ = writeln!(
-            self.svg,
-            "<path d=\"{inner}\" fill=\"{fill}\" stroke=\"{edge}\" stroke-width=\"{width}\"/>"
-        );
-    }
-}
-
-/// How a socket looks, besides its type.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Look {
-    /// Evaluated only where needed.
-    pub hollow: bool,
-    /// Evaluated in a scope.
-    pub double: bool,
-    /// Nothing is connected.
-    pub small: bool,
-}
-
-impl Look {
-    /// A connected socket with nothing else to say.
-    pub fn plain() -> Self {
-        Self { hollow: false, double: false, small: false }
-    }
 }
 
 /// The inside of a header, rounded where the box is.
@@ -430,51 +388,28 @@ fn header_path(frame: &Frame, top: f64) -> String {
     )
 }
 
-/// The outline of a shape of about the area of a circle of radius `r`.
-fn path(shape: Shape, x: f64, y: f64, r: f64) -> String {
-    let polygon = |corners: &[(f64, f64)]| {
-        let mut path = String::new();
-        for (at, (dx, dy)) in corners.iter().enumerate() {
-            let letter = if at == 0 { 'M' } else { 'L' };
-            let _ = write!(path, "{letter}{} {}", short(x + dx * r), short(y + dy * r));
-        }
-        path + "z"
-    };
-    match shape {
-        Shape::Circle => {
-            let (left, d) = (short(x - r), short(2.0 * r));
-            format!("M{left} {}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 -{d} 0z", short(y))
-        }
-        Shape::Diamond => polygon(&[(0.0, -1.25), (1.25, 0.0), (0.0, 1.25), (-1.25, 0.0)]),
-        Shape::Square => polygon(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)]),
-        Shape::Triangle => polygon(&[(-1.0, -1.15), (1.25, 0.0), (-1.0, 1.15)]),
-        Shape::Hexagon => polygon(&[
-            (-1.15, 0.0),
-            (-0.57, -1.0),
-            (0.57, -1.0),
-            (1.15, 0.0),
-            (0.57, 1.0),
-            (-0.57, 1.0),
-        ]),
-    }
-}
-
 /// What is told of a card to those who point at it.
 fn card_tip(card: &Card<'_>) -> String {
     let mut text = match card.role {
         Role::Root => format!("root {}", card.title),
         Role::Parameter | Role::Node => format!("{}: {}", card.title, card.subtitle),
     };
-    if card.dead {
-        text.push_str(" (dead: no root reaches it)");
+    match card.dead {
+        Some(Dead::Unreached) => text.push_str(" (dead: no root reaches it)"),
+        Some(Dead::RuledOut) => text.push_str(" (dead: constants rule out all that reads it)"),
+        None => {}
     }
     if let Some(value) = &card.value {
         let _ = write!(text, " = {}", value.text);
     }
     for input in &card.inputs {
-        let given = given_text(&input.given);
+        let given = match &input.given {
+            Given::Implied(implied) => &implied.told,
+            given => given_text(given),
+        };
         if !given.is_empty() {
-            let _ = write!(text, "\n{} = {given}", input.name);
+            let ruled_out = if input.ruled_out { " (never evaluated)" } else { "" };
+            let _ = write!(text, "\n{} = {given}{ruled_out}", input.name);
         }
     }
     if !card.doc.is_empty() {

@@ -5,9 +5,11 @@ use std::time::Instant;
 
 use proptest::prelude::*;
 
-use super::diagram::Diagram;
+use super::dead::Dead;
+use super::diagram::{Diagram, Wire};
 use super::layout::{Layout, Place, layout};
 use super::{MAX_BOXES, ShowError, draw_dot, draw_svg};
+use crate::check::dead_inputs;
 use crate::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
 use crate::nodes::{Literal, NodeLibrary};
 
@@ -212,6 +214,9 @@ fn a_small_graph_shows_all_its_marks() {
         "mirror.distance → shadow.color, scalar to color",
         "lost: add (dead: no root reaches it)",
         "unused: scalar (dead: no root reaches it)",
+        "dead: never evaluated",
+        "default that is evaluated, without a box",
+        "direction = reflection_direction(direction = state.direction, normal = state.normal,",
         "evaluated only where needed",
         "evaluated in the scope of the node",
         "4 nodes · 2 parameters · 2 dead",
@@ -219,7 +224,7 @@ fn a_small_graph_shows_all_its_marks() {
         assert!(svg.contains(text), "{text} is missing in\n{svg}");
     }
     let dead: Vec<&str> =
-        diagram.cards.iter().filter(|card| card.dead).map(|card| card.title).collect();
+        diagram.cards.iter().filter(|card| card.dead.is_some()).map(|card| card.title).collect();
     assert_eq!(dead, ["unused", "lost"]);
     // Only outputs in use have a socket.
     assert_eq!(
@@ -241,6 +246,94 @@ fn dot_says_the_same_as_the_drawing() {
         "{ rank=max; r0; r1; }",
     ] {
         assert!(dot.contains(line), "{line} is missing in\n{dot}");
+    }
+}
+
+/// A mix of weight 0 that never asks for its mirror; the other half is a lambert turned away from
+/// its light, which asks neither the light nor its colour.
+fn ruled_out(library: &NodeLibrary) -> Graph {
+    let mut graph = empty("ruled_out");
+    graph.parameters = vec![
+        Parameter::new("tint", Literal::Color([0.9, 0.7, 0.4, 1.0])),
+        Parameter::new("share", Literal::Scalar(0.0)),
+    ];
+    let away = [0.0, -0.0, -1.0];
+    graph.nodes = vec![
+        node(library, "trace_reflection", "mirror", &[]),
+        node(
+            library,
+            "lambert",
+            "turned_away",
+            &[
+                ("normal", Binding::Literal(Literal::Vector([0.0, 0.0, 1.0]))),
+                ("direction", Binding::Literal(Literal::Vector(away))),
+                ("color", Binding::Parameter(0)),
+            ],
+        ),
+        node(library, "lambert", "facing", &[]),
+        node(
+            library,
+            "mix",
+            "constant",
+            &[
+                ("weight", Binding::Literal(Literal::Scalar(-0.0))),
+                ("a", from(1, 0)),
+                ("b", from(0, 0)),
+            ],
+        ),
+        node(
+            library,
+            "mix",
+            "live",
+            &[("weight", Binding::Parameter(1)), ("a", from(3, 0)), ("b", from(2, 0))],
+        ),
+    ];
+    for at in [3, 4] {
+        graph.nodes[at].overload = color_overload(library, "mix");
+    }
+    graph.roots = vec![root(RootKind::Material, from(4, 0))];
+    graph
+}
+
+#[test]
+fn what_constants_rule_out_is_marked_as_the_checker_says() {
+    let library = NodeLibrary::standard();
+    let graph = ruled_out(&library);
+    let (diagram, layout) = laid_out(&graph, &library);
+    // A parameter that is 0 by default may be bound to another value: it rules nothing out.
+    let dead: Vec<_> =
+        diagram.cards.iter().filter_map(|card| card.dead.map(|dead| (card.title, dead))).collect();
+    assert_eq!(dead, [("tint", Dead::RuledOut), ("mirror", Dead::RuledOut)]);
+    let ruled_out = |wires: &[Wire]| -> Vec<(usize, usize)> {
+        wires.iter().filter(|wire| wire.ruled_out).map(|wire| wire.to).collect()
+    };
+    let parameters = diagram.parameters;
+    assert_eq!(ruled_out(&diagram.wires), [(parameters + 1, 3), (parameters + 3, 2)]);
+    assert_eq!(dead_inputs(&graph, &library), [(1, 2), (1, 3), (3, 2)]);
+    // Only the lambert that asks its light is marked as one that does.
+    let badges: Vec<_> = diagram
+        .cards
+        .iter()
+        .filter_map(|card| card.badge.as_ref().map(|it| (card.title, it.text, it.by_default)))
+        .collect();
+    assert_eq!(badges, [("mirror", "ray", false), ("facing", "light", true)]);
+    let svg = super::svg::write(&diagram, &layout);
+    parse(&svg).expect("well formed");
+    for text in [
+        "mirror.color → constant.b: never evaluated, a constant rules it out",
+        "mirror: trace_reflection (dead: constants rule out all that reads it)",
+        "ruled out by a constant",
+        "light = light_color (never evaluated)",
+        "line-through\" xml:space=\"preserve\">light_color</text>",
+        "5 nodes · 2 parameters · 2 dead",
+    ] {
+        assert!(svg.contains(text), "{text} is missing in\n{svg}");
+    }
+    let dot = draw_dot(&graph, &library).expect("it is consistent");
+    for text in
+        ["n0:o0:e -> n3:i2:w [color=\"#e0a800\", style=dotted, arrowhead=tee];", "lambert [light]"]
+    {
+        assert!(dot.contains(text), "{text} is missing in\n{dot}");
     }
 }
 

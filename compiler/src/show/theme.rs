@@ -22,6 +22,12 @@ pub(super) const PARAMETER: &str = "#1a5fb4";
 pub(super) const HEADER: &str = "#e9ebee";
 /// Header of a root.
 pub(super) const ROOT: &str = "#2f3640";
+/// Inside of the pill of a default that is evaluated.
+pub(super) const PILL: &str = "#f0f1f3";
+/// The same where it is a field of the state.
+pub(super) const STATE_PILL: &str = "#efeef9";
+/// A cross over what constants rule out.
+pub(super) const RULED_OUT: &str = "#c01c28";
 /// Inside of a parameter's box.
 pub(super) const PARAMETER_BOX: &str = "#eaf2fc";
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use phenomenon_compiler::diagnostics::Place;
 use phenomenon_compiler::engine::Shade;
+use phenomenon_compiler::graph::RootKind;
 
 use super::build::{Scene, SceneBuilder, SceneError};
 use super::depth::TraceDepth;
@@ -84,8 +85,17 @@ pub struct MaterialRef {
     pub source: MaterialSource,
     /// Parameters it is given, in file order.
     pub set: Vec<Override>,
-    /// Where the scene says so.
+    /// Where the scene names it.
     pub place: Place,
+}
+
+/// A graph a scene uses, and what for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GraphUse {
+    /// The graph with its parameters.
+    pub material: MaterialRef,
+    /// The root that is called.
+    pub root: RootKind,
 }
 
 /// Where a material's graph comes from.
@@ -104,8 +114,12 @@ pub struct Override {
     pub name: String,
     /// The value, written as for `--set`: numbers of a list joined by commas.
     pub text: String,
-    /// Where the scene says so.
+    /// Where the scene names the parameter.
+    pub key: Place,
+    /// Where the scene gives the value.
     pub place: Place,
+    /// The elements of a list, or the one value, each with its place.
+    pub parts: Vec<(String, Place)>,
 }
 
 /// What rays see that leave a scene.

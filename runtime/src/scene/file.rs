@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use phenomenon_compiler::diagnostics::{Code, Finding};
+use phenomenon_compiler::diagnostics::{Code, Finding, Place};
 use phenomenon_compiler::document::{Document, Object, Reader, Value, ValueKind, read, read_file};
 
 use super::depth::{DEPTH_LIMIT, TraceDepth};
-use super::description::{SceneDescription, SceneOptions};
+use super::description::{GraphUse, SceneDescription, SceneOptions};
 use super::{objects, surroundings};
 use crate::film::{PIXEL_LIMIT, SIDE_LIMIT};
 use crate::render::SAMPLE_LIMIT;
@@ -29,8 +29,21 @@ const KEYS: [&str; 10] = [
 pub struct SceneFile {
     /// The scene; none when a finding is an error.
     pub scene: Option<SceneDescription>,
+    /// The graph files it uses, as far as they can be told, in file order.
+    pub uses: Vec<GraphUse>,
+    /// Its lights; none where something of them is wrong.
+    pub lights: Option<LightNames>,
     /// What was found, in file order.
     pub findings: Vec<Finding>,
+}
+
+/// The lights of a scene by name, as graphs ask for them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LightNames {
+    /// Their names, in file order.
+    pub names: Vec<String>,
+    /// Where the scene gives them; none where it has none.
+    pub place: Option<Place>,
 }
 
 /// Whether a document is meant as a scene: it has the key `scene`, and not `phenomenon`.
@@ -42,7 +55,7 @@ pub fn is_scene(document: &Document) -> bool {
 pub fn read_scene_file(path: &Path) -> SceneFile {
     match read_file(path) {
         Ok(document) => check_scene(&document, path.parent().unwrap_or(Path::new(""))),
-        Err(finding) => SceneFile { scene: None, findings: vec![*finding] },
+        Err(finding) => SceneFile { findings: vec![*finding], ..SceneFile::default() },
     }
 }
 
@@ -51,18 +64,21 @@ pub fn read_scene_file(path: &Path) -> SceneFile {
 pub fn read_scene(name: &str, bytes: &[u8], folder: &Path) -> SceneFile {
     match read(name, bytes) {
         Ok(document) => check_scene(&document, folder),
-        Err(finding) => SceneFile { scene: None, findings: vec![*finding] },
+        Err(finding) => SceneFile { findings: vec![*finding], ..SceneFile::default() },
     }
 }
 
-fn check_scene(document: &Document, folder: &Path) -> SceneFile {
+/// Reads a scene from a document; the files it names are looked for in `folder`.
+pub fn check_scene(document: &Document, folder: &Path) -> SceneFile {
     let mut reader = Reader::new(document);
-    let scene = scene(&mut reader, folder);
-    let scene = if reader.findings.has_errors() { None } else { scene };
-    SceneFile { scene, findings: reader.findings.into_sorted() }
+    let mut file = SceneFile::default();
+    let scene = scene(&mut reader, folder, &mut file);
+    file.scene = if reader.findings.has_errors() { None } else { scene };
+    file.findings = reader.findings.into_sorted();
+    file
 }
 
-fn scene(reader: &mut Reader<'_>, folder: &Path) -> Option<SceneDescription> {
+fn scene(reader: &mut Reader<'_>, folder: &Path, file: &mut SceneFile) -> Option<SceneDescription> {
     let document = reader.document;
     let root = &document.root;
     if matches!(root.kind, ValueKind::Object(_)) && root.get("scene").is_none() {
@@ -86,14 +102,18 @@ fn scene(reader: &mut Reader<'_>, folder: &Path) -> Option<SceneDescription> {
         object.required(reader, "camera").and_then(|value| surroundings::camera(reader, value));
     let objects = object
         .required(reader, "objects")
-        .and_then(|value| objects::objects(reader, value, folder));
+        .and_then(|value| objects::objects(reader, value, folder, &mut file.uses));
     let lights = match object.optional("lights") {
         Some(value) => surroundings::lights(reader, value),
         None => Some(Vec::new()),
     };
+    file.lights = lights.as_ref().map(|lights| LightNames {
+        names: lights.iter().map(|light| light.name.clone()).collect(),
+        place: object.optional("lights").map(|value| document.place(value)),
+    });
     let environment = object
         .optional("environment")
-        .map(|value| surroundings::environment(reader, value, folder));
+        .map(|value| surroundings::environment(reader, value, folder, &mut file.uses));
     let options = match object.optional("options") {
         Some(value) => options(reader, value),
         None => Some(SceneOptions::default()),
@@ -111,31 +131,47 @@ fn scene(reader: &mut Reader<'_>, folder: &Path) -> Option<SceneDescription> {
     })
 }
 
+/// Every option is read, so that every mistake is found.
 fn options<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<SceneOptions> {
     let object = reader.object(value, "`options`", &["size", "samples", "trace_depth", "seed"])?;
-    let mut options = SceneOptions::default();
-    if let Some(value) = object.optional("size") {
-        let [width, height] = reader.numbers(value, "`size`", 1.0..=f64::from(SIDE_LIMIT))?;
-        if width.fract() != 0.0 || height.fract() != 0.0 {
-            reader.wrong_kind(value, "`size`", "a list of two whole numbers");
-        }
-        if width * height > PIXEL_LIMIT as f64 {
-            let message = format!("a picture of {width} x {height} pixels is too large");
-            let help = format!("at most {PIXEL_LIMIT} pixels are possible");
-            reader.report(Code::NUMBER_OUT_OF_RANGE, value, message, help);
-        }
-        (options.width, options.height) = (width as u32, height as u32);
+    let default = SceneOptions::default();
+    let size = match object.optional("size") {
+        Some(value) => size(reader, value),
+        None => Some((default.width, default.height)),
+    };
+    let mut whole = |key: &str, least: i64, most: i64, default: i64| match object.optional(key) {
+        Some(value) => reader.integer(value, &format!("`{key}`"), least..=most),
+        None => Some(default),
+    };
+    let samples = whole("samples", 1, i64::from(SAMPLE_LIMIT), i64::from(default.samples));
+    let seed = whole("seed", 0, 1 << 53, 0);
+    let depth = match object.optional("trace_depth") {
+        Some(value) => trace_depth(reader, value),
+        None => Some(default.depth),
+    };
+    let (width, height) = size?;
+    Some(SceneOptions {
+        width,
+        height,
+        samples: samples? as u32,
+        depth: depth?,
+        seed: seed? as u64,
+    })
+}
+
+fn size<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<(u32, u32)> {
+    let [width, height] = reader.numbers(value, "`size`", 1.0..=f64::from(SIDE_LIMIT))?;
+    if width.fract() != 0.0 || height.fract() != 0.0 {
+        reader.wrong_kind(value, "`size`", "a list of two whole numbers");
+        return None;
     }
-    if let Some(value) = object.optional("samples") {
-        options.samples = reader.integer(value, "`samples`", 1..=i64::from(SAMPLE_LIMIT))? as u32;
+    if width * height > PIXEL_LIMIT as f64 {
+        let message = format!("a picture of {width} x {height} pixels is too large");
+        let help = format!("at most {PIXEL_LIMIT} pixels are possible");
+        reader.report(Code::NUMBER_OUT_OF_RANGE, value, message, help);
+        return None;
     }
-    if let Some(value) = object.optional("seed") {
-        options.seed = reader.integer(value, "`seed`", 0..=(1 << 53))? as u64;
-    }
-    if let Some(value) = object.optional("trace_depth") {
-        options.depth = trace_depth(reader, value)?;
-    }
-    Some(options)
+    Some((width as u32, height as u32))
 }
 
 /// One number, or a list of one to three.
@@ -148,12 +184,17 @@ fn trace_depth<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<TraceDep
         }
         _ => std::slice::from_ref(value),
     };
-    let mut numbers = Vec::with_capacity(3);
-    for (at, value) in values.iter().enumerate() {
-        let limit = if at == 2 { 2 * DEPTH_LIMIT } else { DEPTH_LIMIT };
-        numbers.push(reader.integer(value, "`trace_depth`", 0..=i64::from(limit))? as i32);
-    }
-    TraceDepth::from_numbers(&numbers)
+    let numbers: Vec<Option<i64>> = values
+        .iter()
+        .enumerate()
+        .map(|(at, value)| {
+            let limit = if at == 2 { 2 * DEPTH_LIMIT } else { DEPTH_LIMIT };
+            reader.integer(value, "`trace_depth`", 0..=i64::from(limit))
+        })
+        .collect();
+    let numbers: Option<Vec<i32>> =
+        numbers.into_iter().map(|number| number.map(|number| number as i32)).collect();
+    TraceDepth::from_numbers(&numbers?)
 }
 
 /// A point, direction or the like.

@@ -5,14 +5,16 @@ mod depth;
 mod description;
 mod embedded;
 mod file;
+mod fit;
 mod objects;
 mod surroundings;
 
 pub use build::{Scene, SceneBuilder, SceneError};
 pub use depth::{DEPTH_LIMIT, TraceDepth};
 pub use description::{
-    BuildError, EnvironmentDescription, MaterialRef, MaterialSource, ObjectDescription, Override,
-    SceneDescription, SceneOptions, ShapeDescription,
+    BuildError, EnvironmentDescription, GraphUse, MaterialRef, MaterialSource, ObjectDescription,
+    Override, SceneDescription, SceneOptions, ShapeDescription,
 };
 pub use embedded::{default_scene, embedded_file};
-pub use file::{SceneFile, is_scene, read_scene, read_scene_file};
+pub use file::{LightNames, SceneFile, check_scene, is_scene, read_scene, read_scene_file};
+pub use fit::{misfits, settings, unknown_lights};

@@ -1,13 +1,15 @@
 //! The objects of a scene file, with their transforms and materials.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use phenomenon_compiler::diagnostics::Code;
-use phenomenon_compiler::document::{Object, Reader, Value, ValueKind};
+use phenomenon_compiler::diagnostics::{Code, Finding, Place};
+use phenomenon_compiler::document::{Member, Object, Reader, Value, ValueKind};
+use phenomenon_compiler::graph::RootKind;
 
 use super::description::{
-    MaterialRef, MaterialSource, ObjectDescription, Override, ShapeDescription,
+    GraphUse, MaterialRef, MaterialSource, ObjectDescription, Override, ShapeDescription,
 };
 use super::file::{COORDINATES, vector};
 use crate::geometry::{Mesh, Normals, ObjError, Transform, read_obj};
@@ -19,10 +21,26 @@ pub(super) fn objects<'d>(
     reader: &mut Reader<'d>,
     value: &'d Value,
     folder: &Path,
+    uses: &mut Vec<GraphUse>,
 ) -> Option<Vec<ObjectDescription>> {
     let elements = reader.list(value, "`objects`")?;
     // Every object is read, so that every mistake is found.
-    let objects: Vec<_> = elements.iter().map(|value| object(reader, value, folder)).collect();
+    let objects: Vec<_> =
+        elements.iter().map(|value| object(reader, value, folder, uses)).collect();
+    let mut named: HashMap<&str, &Value> = HashMap::new();
+    for name in elements.iter().filter_map(|object| object.get("name")) {
+        let ValueKind::String(text) = &name.kind else { continue };
+        let first = *named.entry(text).or_insert(name);
+        if std::ptr::eq(first, name) {
+            continue;
+        }
+        let message = format!("two objects are called `{text}`");
+        let help = "rename one: findings call objects by their names";
+        let place = reader.document.place(name);
+        let finding = Finding::new(Code::BAD_NAME, place, message, help)
+            .with_related(reader.document.place(first), "first given here");
+        reader.findings.push(finding);
+    }
     objects.into_iter().collect()
 }
 
@@ -30,6 +48,7 @@ fn object<'d>(
     reader: &mut Reader<'d>,
     value: &'d Value,
     folder: &Path,
+    uses: &mut Vec<GraphUse>,
 ) -> Option<ObjectDescription> {
     let keys = ["name", "doc", "sphere", "mesh", "rectangle", "normals", "transform", "material"];
     let object = reader.object(value, "an object", &keys)?;
@@ -42,9 +61,9 @@ fn object<'d>(
         Some(value) => transform(reader, value),
         None => Some(Transform::default()),
     };
-    let material = object
-        .required(reader, "material")
-        .and_then(|value| material(reader, value, "a material", folder));
+    let material =
+        object.required(reader, "material").and_then(|value| material(reader, value, folder));
+    uses.extend(material.clone().map(|material| GraphUse { material, root: RootKind::Material }));
     let (kind, shape) = shape?;
     let transform = transform?;
     if let (ShapeDescription::Sphere { .. }, None) = (&shape, transform.uniform_scale()) {
@@ -67,6 +86,8 @@ fn shape<'d>(
         Some(value) => reader.choice(value, "`normals`", &flat),
         None => Some(Normals::Smooth),
     };
+    // A mesh is read all the same, so that its mistakes are found.
+    let smooth_or_flat = normals.unwrap_or(Normals::Smooth);
     let shapes = ["sphere", "mesh", "rectangle"];
     let given: Vec<_> = shapes
         .into_iter()
@@ -89,7 +110,10 @@ fn shape<'d>(
                 .and_then(|value| reader.number(value, "`radius` of a sphere", LENGTHS));
             ShapeDescription::Sphere { center: center?, radius: radius? }
         }
-        "mesh" => ShapeDescription::Mesh(Arc::new(mesh(reader, value, normals?, folder)?)),
+        "mesh" => {
+            let mesh = mesh(reader, value, smooth_or_flat, folder)?;
+            normals.map(|_| ShapeDescription::Mesh(Arc::new(mesh)))?
+        }
         _ => {
             let object = reader.object(value, "a rectangle", &["width", "depth"])?;
             let mut side = |key: &str| {
@@ -161,58 +185,102 @@ fn transform<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Transform>
 }
 
 /// `{"subject": true}`, or `{"file": "graph.json", "set": {…}}`.
-pub(super) fn material<'d>(
+fn material<'d>(reader: &mut Reader<'d>, value: &'d Value, folder: &Path) -> Option<MaterialRef> {
+    let object = reader.object(value, "a material", &["subject", "file", "set"])?;
+    let subject = object.optional("subject").map(|value| reader.boolean(value, "`subject`"));
+    if let (None, Some(file)) = (subject, object.optional("file")) {
+        return graph_file(reader, &object, file, "`file` of a material", folder);
+    }
+    let set = settings(reader, &object, folder);
+    match (subject, object.optional("file")) {
+        (Some(Some(true)), None) => {
+            let place = reader.document.place(value);
+            Some(MaterialRef { source: MaterialSource::Subject, set: set?, place })
+        }
+        (Some(None), None) => None,
+        _ => {
+            let message = "a material is either a `file` or the `subject`";
+            let help = "write {\"file\": \"graph.json\"} or {\"subject\": true}";
+            reader.report(Code::UNUSABLE_OBJECT, value, message, help);
+            None
+        }
+    }
+}
+
+/// The graph file named at `file`, with the `set` of the object round it.
+pub(super) fn graph_file<'d>(
     reader: &mut Reader<'d>,
-    value: &'d Value,
+    object: &Object<'d>,
+    file: &'d Value,
     what: &str,
     folder: &Path,
 ) -> Option<MaterialRef> {
-    let object = match what {
-        "a material" => reader.object(value, what, &["subject", "file", "set"])?,
-        _ => Object::unchecked(reader, value, what)?,
-    };
-    let subject = object.optional("subject").map(|value| reader.boolean(value, "`subject`"));
-    let source = match (subject, object.optional("file")) {
-        (Some(subject), None) => subject?.then_some(MaterialSource::Subject),
-        (None, Some(file)) => {
-            file_path(reader, file, "`file` of a material", folder).map(MaterialSource::File)
-        }
-        _ => None,
-    };
-    if source.is_none() && object.optional("file").is_none() {
-        let message = format!("{what} is either a `file` or the `subject`");
-        let help = "write {\"file\": \"graph.json\"} or {\"subject\": true}";
-        reader.report(Code::UNUSABLE_OBJECT, value, message, help);
-    }
-    let mut set = Vec::new();
-    if let Some(value) = object.optional("set") {
-        for member in reader.members(value, "`set`")? {
-            let Some(text) = setting(&member.value) else {
-                let expected = "a number, a word, true, false, or a list of these";
-                reader.wrong_kind(&member.value, &format!("`{}`", member.key), expected);
-                continue;
-            };
-            let place = reader.document.place(&member.value);
-            set.push(Override { name: member.key.clone(), text, place });
-        }
-    }
-    Some(MaterialRef { source: source?, set, place: reader.document.place(value) })
+    let source = file_path(reader, file, what, folder).map(MaterialSource::File);
+    let set = settings(reader, object, folder);
+    Some(MaterialRef { source: source?, set: set?, place: reader.document.place(file) })
 }
 
-/// A value as `--set` takes it.
-fn setting(value: &Value) -> Option<String> {
+/// The members of `set`, as far as they are values; none where it is no object.
+fn settings<'d>(
+    reader: &mut Reader<'d>,
+    object: &Object<'d>,
+    folder: &Path,
+) -> Option<Vec<Override>> {
+    let mut set = Vec::new();
+    let Some(value) = object.optional("set") else { return Some(set) };
+    for member in reader.members(value, "`set`")? {
+        let elements = match &member.value.kind {
+            ValueKind::Array(elements) => elements.as_slice(),
+            _ => std::slice::from_ref(&member.value),
+        };
+        let parts: Option<Vec<(String, Place)>> = elements
+            .iter()
+            .map(|element| setting(element, folder).map(|text| (text, reader.document.place(element))))
+            .collect();
+        let Some(parts) = parts else {
+            let expected =
+                "a number, a word, true, false, a light, a texture, null, or a list of these";
+            reader.wrong_kind(&member.value, &format!("`{}`", member.key), expected);
+            continue;
+        };
+        let texts: Vec<&str> = parts.iter().map(|(text, _)| text.as_str()).collect();
+        set.push(Override {
+            name: member.key.clone(),
+            text: texts.join(","),
+            key: reader.document.place_of_key(member),
+            place: reader.document.place(&member.value),
+            parts,
+        });
+    }
+    Some(set)
+}
+
+/// One value as `--set` takes it; a light or a texture may be written as in a graph, and `null` is no
+/// texture.
+fn setting(value: &Value, folder: &Path) -> Option<String> {
+    let text = |value: &Value| match &value.kind {
+        ValueKind::String(text) => Some(text.clone()),
+        _ => None,
+    };
     match &value.kind {
         ValueKind::Boolean(value) => Some(value.to_string()),
         ValueKind::Number(text) | ValueKind::String(text) => Some(text.clone()),
-        ValueKind::Array(values) => {
-            let flat = |value: &Value| !matches!(value.kind, ValueKind::Array(_));
-            let texts: Option<Vec<String>> = values
-                .iter()
-                .map(|value| if flat(value) { setting(value) } else { None })
-                .collect();
-            texts.map(|texts| texts.join(","))
-        }
-        ValueKind::Null | ValueKind::Object(_) => None,
+        ValueKind::Object(members) => match members.as_slice() {
+            [Member { key, value, .. }] if key == "light" => text(value),
+            [Member { key, value, .. }, rest @ ..] if key == "texture" => {
+                let file = folder.join(text(value)?).display().to_string();
+                match rest {
+                    [] => Some(file),
+                    [Member { key, value, .. }] if key == "space" => {
+                        Some(format!("{file},{}", text(value)?))
+                    }
+                    _ => None,
+                }
+            }
+            _ => None,
+        },
+        ValueKind::Null => Some(String::new()),
+        ValueKind::Array(_) => None,
     }
 }
 

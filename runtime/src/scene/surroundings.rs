@@ -1,14 +1,16 @@
 //! The camera, the lights and the environment of a scene file.
 
+use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use phenomenon_compiler::diagnostics::Code;
-use phenomenon_compiler::document::{Object, Reader, Value};
+use phenomenon_compiler::diagnostics::{Code, Finding};
+use phenomenon_compiler::document::{Object, Reader, Value, ValueKind};
+use phenomenon_compiler::graph::RootKind;
 
-use super::description::EnvironmentDescription;
+use super::description::{EnvironmentDescription, GraphUse};
 use super::file::{COORDINATES, vector};
-use super::objects::{file_path, material};
+use super::objects::{file_path, graph_file};
 use crate::camera::Camera;
 use crate::film::{self, FilmError};
 use crate::lights::{Environment, EnvironmentImage, Light, LightKind};
@@ -42,17 +44,22 @@ pub(super) fn camera<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Ca
 pub(super) fn lights<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Vec<Light>> {
     let mut lights: Vec<Light> = Vec::new();
     let mut complete = true;
+    let mut named: HashMap<&str, &Value> = HashMap::new();
     for element in reader.list(value, "`lights`")? {
-        let Some(light) = light(reader, element) else {
-            complete = false;
-            continue;
-        };
-        if lights.iter().any(|other| other.name == light.name) {
-            let place = element.get("name").unwrap_or(element);
-            let message = format!("two lights are called `{}`", light.name);
-            reader.report(Code::BAD_NAME, place, message, "rename one: graphs list lights by name");
+        match light(reader, element) {
+            Some(light) => lights.push(light),
+            None => complete = false,
         }
-        lights.push(light);
+        let Some(name) = element.get("name") else { continue };
+        let ValueKind::String(text) = &name.kind else { continue };
+        let first = *named.entry(text).or_insert(name);
+        if !std::ptr::eq(first, name) {
+            let message = format!("two lights are called `{text}`");
+            let help = "rename one: graphs list lights by name";
+            let finding = Finding::new(Code::BAD_NAME, reader.document.place(name), message, help)
+                .with_related(reader.document.place(first), "first given here");
+            reader.findings.push(finding);
+        }
     }
     complete.then_some(lights)
 }
@@ -101,34 +108,61 @@ pub(super) fn environment<'d>(
     reader: &mut Reader<'d>,
     value: &'d Value,
     folder: &Path,
+    uses: &mut Vec<GraphUse>,
 ) -> Option<EnvironmentDescription> {
-    let what = "the environment";
     let keys = ["color", "gradient", "image", "intensity", "rotation", "file", "set"];
-    let object = reader.object(value, what, &keys)?;
-    if object.optional("file").is_some() {
-        return material(reader, value, what, folder).map(EnvironmentDescription::Shader);
-    }
-    let built_in = if let Some(color) = object.optional("color") {
-        let [r, g, b] = reader.numbers(color, "`color` of the environment", LIGHT)?;
-        Environment::Constant([r as f32, g as f32, b as f32, 1.0])
-    } else if let Some(gradient) = object.optional("gradient") {
-        let object = reader.object(gradient, "the gradient", &["zenith", "horizon", "ground"])?;
-        let mut color = |key: &str| {
-            let value = object.required(reader, key)?;
-            let color: [f64; 3] = reader.numbers(value, &format!("`{key}`"), LIGHT)?;
-            Some(color.map(|x| x as f32))
+    let object = reader.object(value, "the environment", &keys)?;
+    let kinds = ["color", "gradient", "image", "file"];
+    let given: Vec<&str> =
+        kinds.into_iter().filter(|kind| object.optional(kind).is_some()).collect();
+    let [kind] = given[..] else {
+        let message = match given.as_slice() {
+            [] => "the environment is a color, a gradient, an image or a graph".to_owned(),
+            _ => format!("the environment is given more than once, by `{}`", given.join("` and `")),
         };
-        let (zenith, horizon, ground) = (color("zenith"), color("horizon"), color("ground"));
-        Environment::Gradient { zenith: zenith?, horizon: horizon?, ground: ground? }
-    } else if object.optional("image").is_some() {
-        image(reader, &object, folder)?
-    } else {
-        let message = "the environment is a color, a gradient, an image or a graph";
         let help = "give one of the keys `color`, `gradient`, `image` and `file`";
         reader.report(Code::UNUSABLE_OBJECT, value, message, help);
         return None;
     };
+    for (key, of) in [("intensity", "image"), ("rotation", "image"), ("set", "file")] {
+        let member = value.members().iter().find(|member| member.key == key);
+        if let Some(member) = member.filter(|_| of != kind) {
+            let message = format!("`{key}` does nothing in an environment that is no `{of}`");
+            let help = format!("remove it, or give the environment by `{of}`");
+            reader.report_key(Code::UNUSABLE_OBJECT, member, message, help);
+        }
+    }
+    let built_in = match kind {
+        "file" => {
+            let file = object.required(reader, "file")?;
+            let what = "`file` of the environment";
+            let material = graph_file(reader, &object, file, what, folder)?;
+            uses.push(GraphUse { material: material.clone(), root: RootKind::Environment });
+            return Some(EnvironmentDescription::Shader(material));
+        }
+        "color" => {
+            let color = object.required(reader, "color")?;
+            let [r, g, b] = reader.numbers(color, "`color` of the environment", LIGHT)?;
+            Environment::Constant([r as f32, g as f32, b as f32, 1.0])
+        }
+        "gradient" => {
+            let value = object.required(reader, "gradient")?;
+            gradient(reader, value)?
+        }
+        _ => image(reader, &object, folder)?,
+    };
     Some(EnvironmentDescription::BuiltIn(built_in))
+}
+
+fn gradient<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Environment> {
+    let object = reader.object(value, "the gradient", &["zenith", "horizon", "ground"])?;
+    let mut color = |key: &str| {
+        let value = object.required(reader, key)?;
+        let color: [f64; 3] = reader.numbers(value, &format!("`{key}`"), LIGHT)?;
+        Some(color.map(|x| x as f32))
+    };
+    let (zenith, horizon, ground) = (color("zenith"), color("horizon"), color("ground"));
+    Some(Environment::Gradient { zenith: zenith?, horizon: horizon?, ground: ground? })
 }
 
 fn image<'d>(reader: &mut Reader<'d>, object: &Object<'d>, folder: &Path) -> Option<Environment> {

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::io::{IsTerminal, Read};
 use std::path::{Path, PathBuf};
 
-use phenomenon_compiler::check::{Checked, check_graph};
+use phenomenon_compiler::check::{Checked, OnDisk, check_graph};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::{self, Document, MAX_FILE_BYTES, ValueKind};
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -171,8 +171,7 @@ fn check_input(input: &Input, library: &NodeLibrary) -> Result<Checked, Failure>
         Ok(document) if input.in_folder && !is_ours(&document) => Checked::default(),
         Ok(document) if is_scene(&document) => {
             let folder = input.path.parent().filter(|_| !input.is_standard_input());
-            let findings = scene::check(&document, folder.unwrap_or(Path::new("")), library);
-            Checked { findings, ..Checked::default() }
+            scene::check(&document, folder.unwrap_or(Path::new("")), library, &OnDisk)
         }
         Ok(document) => check_graph(&document, library),
         Err(finding) => Checked { findings: vec![*finding], ..Checked::default() },

@@ -1,62 +1,114 @@
 //! Checking a scene with every graph it uses.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
-use phenomenon_compiler::check::{Checked, read_graph_file};
-use phenomenon_compiler::diagnostics::{Code, Finding};
+use phenomenon_compiler::check::{Checked, Files, check_graph_with};
+use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::Document;
-use phenomenon_compiler::graph::{BindError, Graph, RootKind};
+use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_runtime::scene::{MaterialRef, MaterialSource, SceneDescription, read_scene};
+use phenomenon_runtime::scene::{
+    MaterialRef, MaterialSource, SceneFile, check_scene, is_scene, misfits, settings,
+    unknown_lights,
+};
 
-/// Everything wrong in a scene, in its graphs, and in how the two fit.
-pub fn check(document: &Document, folder: &Path, library: &NodeLibrary) -> Vec<Finding> {
-    let file = &document.file;
-    let read = read_scene(&file.name, file.text.as_bytes(), folder);
-    let mut findings = read.findings;
-    if let Some(scene) = read.scene {
-        graphs(&scene, library, &mut findings);
-    }
-    findings
+/// Everything wrong in a scene, in its graphs, and in how the two fit. The scene's own findings come
+/// first, in file order. What it uses is checked even where the scene itself has errors.
+pub fn check(
+    document: &Document,
+    folder: &Path,
+    library: &NodeLibrary,
+    files: &dyn Files,
+) -> Checked {
+    let scene = check_scene(document, folder);
+    let mut graphs = Graphs { library, files, known: HashMap::new(), omitted: 0 };
+    let mut findings = scene.findings.clone();
+    findings.extend(graphs.check(&scene));
+    let is_own = |finding: &Finding| finding.place.file.name == document.file.name;
+    let (mut own, others): (Vec<Finding>, Vec<Finding>) = findings.into_iter().partition(is_own);
+    own.sort_by_key(|finding| finding.place.start);
+    own.extend(others);
+    // Two objects of one graph find the same in it.
+    let mut told = HashSet::new();
+    own.retain(|finding| {
+        let place = &finding.place;
+        told.insert((place.file.name.clone(), place.start, finding.code, finding.message.clone()))
+    });
+    Checked { graph: None, findings: own, omitted: graphs.omitted }
 }
 
-fn graphs(scene: &SceneDescription, library: &NodeLibrary, findings: &mut Vec<Finding>) {
-    let mut known: HashMap<&PathBuf, Option<Graph>> = HashMap::new();
-    let of_objects = scene.objects.len();
-    for (at, material) in scene.materials().enumerate() {
-        let MaterialSource::File(path) = &material.source else { continue };
-        let graph = known.entry(path).or_insert_with(|| {
-            let Checked { graph, findings: own, .. } = read_graph_file(path, library);
-            findings.extend(own);
-            graph
-        });
-        let root = if at < of_objects { RootKind::Material } else { RootKind::Environment };
-        if let Some(graph) = graph {
-            fits(material, graph, root, findings);
-        }
-    }
+/// The graphs of a scene, each read and checked once.
+struct Graphs<'a> {
+    library: &'a NodeLibrary,
+    files: &'a dyn Files,
+    /// By the one path of the file; none where it cannot be used.
+    known: HashMap<PathBuf, Option<(Graph, Document)>>,
+    omitted: usize,
 }
 
-/// Whether a graph has the root that is called, and its parameters the values they are given.
-fn fits(material: &MaterialRef, graph: &Graph, root: RootKind, findings: &mut Vec<Finding>) {
-    if graph.root(root).is_none() {
-        let message = format!("`{}` has no `{}` root", graph.name, root.name());
-        let help = format!("give it one, or use a graph that has a `{}` root here", root.name());
-        findings.push(Finding::new(Code::MISSING_ROOT, material.place.clone(), message, help));
-    }
-    for setting in &material.set {
-        if let Err(error) = graph.bind(&setting.name, &setting.text) {
-            let code = match error {
-                BindError::Unknown { .. } => Code::UNKNOWN_PARAMETER,
-                BindError::Type { .. } => Code::TYPE_MISMATCH,
-                BindError::NotFinite { .. } => Code::NOT_FINITE,
-                BindError::Range { .. } => Code::NUMBER_OUT_OF_RANGE,
+impl Graphs<'_> {
+    fn check(&mut self, scene: &SceneFile) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        for used in &scene.uses {
+            let MaterialSource::File(path) = &used.material.source else { continue };
+            let identity = self.files.identity(path);
+            if !self.known.contains_key(&identity) {
+                let graph = self.read(path, &used.material, &mut findings);
+                self.known.insert(identity.clone(), graph);
+            }
+            let Some((graph, document)) = self.known.get(&identity).and_then(Option::as_ref) else {
+                continue;
             };
-            let help =
-                "`set` gives parameters of the graph values of their type, within their range";
-            let place = setting.place.clone();
-            findings.push(Finding::new(code, place, error.to_string(), help));
+            findings.extend(misfits(used, graph));
+            if let Some(lights) = &scene.lights {
+                let (values, _) = settings(&used.material, graph);
+                let document = Some(document);
+                findings.extend(unknown_lights(lights, &used.material, graph, &values, document));
+            }
         }
+        findings
+    }
+
+    fn read(
+        &mut self,
+        path: &Path,
+        material: &MaterialRef,
+        findings: &mut Vec<Finding>,
+    ) -> Option<(Graph, Document)> {
+        let document = match self.files.read(path) {
+            Ok(document) if is_scene(&document) => {
+                let message = format!("`{}` is a scene, not a graph", path.display());
+                let help = "name a graph, such as one of the materials of that scene";
+                let place = material.place.clone();
+                findings.push(Finding::new(Code::NOT_A_GRAPH, place, message, help));
+                return None;
+            }
+            Ok(document) => document,
+            Err(finding) if finding.code == Code::UNREADABLE_FILE => {
+                // Told where the file is named: there is nothing else to look at.
+                let message = format!("this graph cannot be used: {}", finding.message);
+                let help = "its path starts at the folder of the scene";
+                let place = material.place.clone();
+                findings.push(Finding::new(finding.code, place, message, help));
+                return None;
+            }
+            Err(finding) => {
+                findings.push(used_here(*finding, material));
+                return None;
+            }
+        };
+        let checked = check_graph_with(&document, self.library, self.files);
+        self.omitted += checked.omitted;
+        findings.extend(checked.findings.into_iter().map(|finding| used_here(finding, material)));
+        checked.graph.map(|graph| (graph, document))
+    }
+}
+
+/// An error of a graph makes the scene unusable: it shows where the scene uses it.
+fn used_here(finding: Finding, material: &MaterialRef) -> Finding {
+    match finding.severity {
+        Severity::Error => finding.with_related(material.place.clone(), "the scene uses it here"),
+        Severity::Warning | Severity::Note => finding,
     }
 }

@@ -1,12 +1,14 @@
 //! What can be written where the cursor stands.
 
-use phenomenon_compiler::document::{Member, Value as Node, ValueKind};
+use phenomenon_compiler::document::Member;
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::nodes::{NodeLibrary, Signature};
+use phenomenon_compiler::nodes::NodeLibrary;
 use serde_json::{Value, json};
 
 use super::cursor::Cursor;
 use super::file::OpenFile;
+use super::open_files::OpenFiles;
+use super::parts::{Part, members, parts_of, text};
 
 /// Kinds of completions, as the protocol numbers them.
 const FIELD: u8 = 5;
@@ -15,7 +17,12 @@ const CLASS: u8 = 7;
 const PROPERTY: u8 = 10;
 
 /// Completions at a byte of the file.
-pub fn complete(file: &OpenFile, at: usize, library: &NodeLibrary) -> Vec<Value> {
+pub fn complete(
+    file: &OpenFile,
+    at: usize,
+    library: &NodeLibrary,
+    files: &OpenFiles,
+) -> Vec<Value> {
     let cursor = Cursor::after(&file.text()[..at]);
     let path: Vec<&str> = cursor.path.iter().map(String::as_str).collect();
     let item = |label: &str, kind: u8, detail: &str, doc: &str| {
@@ -25,6 +32,10 @@ pub fn complete(file: &OpenFile, at: usize, library: &NodeLibrary) -> Vec<Value>
     };
     let words = |words: &[&str]| -> Vec<Value> {
         words.iter().map(|word| item(word, PROPERTY, "", "")).collect()
+    };
+    let fields = |parts: Option<Vec<Part>>| -> Vec<Value> {
+        let parts = parts.unwrap_or_default();
+        parts.iter().map(|part| item(&part.name, FIELD, &part.of, &part.doc)).collect()
     };
     match (path.as_slice(), cursor.at_key) {
         ([], true) => {
@@ -44,20 +55,17 @@ pub fn complete(file: &OpenFile, at: usize, library: &NodeLibrary) -> Vec<Value>
         }
         (["nodes", name, "inputs"], true) => {
             let written = cursor.around.get(2).and_then(|node| node.get("type"));
-            let of = signature(file, library, name, written.map(String::as_str));
-            let inputs = of.map(|signature| signature.inputs.as_slice()).unwrap_or_default();
-            inputs.iter().map(|it| item(it.name, FIELD, it.value_type.name(), &it.doc)).collect()
+            let parts = parts_of(file, name, written.map(String::as_str), library, files);
+            fields(parts.map(|parts| parts.inputs))
         }
         (["nodes" | "roots", .., "node"], false) => {
-            let of = |member: &Member| type_name(&member.value).unwrap_or_default().to_owned();
+            let of = |member: &Member| text(&member.value, "type").unwrap_or_default().to_owned();
             let nodes = members(file, "nodes").iter();
             nodes.map(|it| item(&it.key, VARIABLE, &of(it), "")).collect()
         }
         (["nodes" | "roots", .., "output"], false) => {
             let node = cursor.siblings.get("node").map(String::as_str).unwrap_or_default();
-            let of = signature(file, library, node, None);
-            let outputs = of.map(|signature| signature.outputs.as_slice()).unwrap_or_default();
-            outputs.iter().map(|it| item(it.name, FIELD, it.value_type.name(), &it.doc)).collect()
+            fields(parts_of(file, node, None, library, files).map(|parts| parts.outputs))
         }
         (["nodes" | "roots", .., "interface"], false) => {
             let doc = |member: &Member| text(&member.value, "doc").unwrap_or_default().to_owned();
@@ -68,34 +76,4 @@ pub fn complete(file: &OpenFile, at: usize, library: &NodeLibrary) -> Vec<Value>
         (["nodes", _, "inputs", _] | ["roots", _], true) => words(&["node", "output", "interface"]),
         _ => Vec::new(),
     }
-}
-
-/// The members of a part of the file, as it was JSON last.
-pub fn members<'f>(file: &'f OpenFile, part: &str) -> &'f [Member] {
-    let part = file.document.as_ref().and_then(|document| document.root.get(part));
-    part.map_or(&[], Node::members)
-}
-
-/// The string under a key.
-pub fn text<'f>(value: &'f Node, key: &str) -> Option<&'f str> {
-    match &value.get(key)?.kind {
-        ValueKind::String(text) => Some(text),
-        _ => None,
-    }
-}
-
-fn type_name(node: &Node) -> Option<&str> {
-    text(node, "type")
-}
-
-/// The signature of a node's type: the one written before the cursor, or else that of the file.
-pub fn signature<'l>(
-    file: &OpenFile,
-    library: &'l NodeLibrary,
-    node: &str,
-    written: Option<&str>,
-) -> Option<&'l Signature> {
-    let known = members(file, "nodes").iter().find(|member| member.key == node);
-    let name = written.or(known.and_then(|member| type_name(&member.value)))?;
-    library.find(name).map(|node_type| library.signature(node_type))
 }

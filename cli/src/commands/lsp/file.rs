@@ -1,11 +1,12 @@
 //! A file that is open in the editor.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use phenomenon_compiler::check::check_graph;
-use phenomenon_compiler::diagnostics::{Finding, Place, Severity, SourceFile};
-use phenomenon_compiler::document::{self, Document};
+use phenomenon_compiler::check::{Files, OnDisk, check_graph_with};
+use phenomenon_compiler::diagnostics::{Finding, Place, Related, Severity, SourceFile};
+use phenomenon_compiler::document::{self, Document, ValueKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::scene::is_scene;
 use serde_json::{Value, json};
@@ -17,29 +18,46 @@ pub struct OpenFile {
     uri: String,
     source: Arc<SourceFile>,
     findings: Vec<Finding>,
+    /// The one path of the file.
+    pub identity: PathBuf,
+    /// The paths of the files it uses.
+    pub used: HashSet<PathBuf>,
     /// What was JSON last; while one types the file mostly is not.
     pub document: Option<Document>,
 }
 
 impl OpenFile {
-    /// Reads and checks the text of a file; `before` is what it was.
-    pub fn read(uri: &str, text: &str, before: Option<OpenFile>, library: &NodeLibrary) -> Self {
+    /// Reads and checks the text of a file; `before` is what it was, and `files` where those it uses
+    /// are found.
+    pub fn read(
+        uri: &str,
+        text: &str,
+        before: Option<OpenFile>,
+        library: &NodeLibrary,
+        files: &dyn Files,
+    ) -> Self {
         let path = path_of(uri);
         let (document, findings) =
             match document::read(&path.display().to_string(), text.as_bytes()) {
                 Ok(document) => {
                     let findings = if is_scene(&document) {
                         let folder = path.parent().unwrap_or(Path::new(""));
-                        check_scene(&document, folder, library)
+                        check_scene(&document, folder, library, files)
                     } else {
-                        check_graph(&document, library).findings
+                        check_graph_with(&document, library, files)
                     };
-                    (Some(document), findings)
+                    (Some(document), findings.findings)
                 }
                 Err(finding) => (before.and_then(|before| before.document), vec![*finding]),
             };
         let source = Arc::new(SourceFile::new(path.display().to_string(), text));
-        Self { uri: uri.into(), source, findings, document }
+        let identity = OnDisk.identity(&path);
+        Self { uri: uri.into(), source, findings, identity, used: HashSet::new(), document }
+    }
+
+    /// Its path, from its address.
+    pub fn path(&self) -> &Path {
+        Path::new(&self.source.name)
     }
 
     /// The text as it is now.
@@ -77,11 +95,9 @@ impl OpenFile {
             (true, "") => finding.message.clone(),
             (true, help) => format!("{}\n{help}", finding.message),
         };
-        let nowhere = json!({ "line": 0, "character": 0 });
         let range = match own {
             true => range(&finding.place),
-            // Shown at the top: the place itself is in another file.
-            false => json!({ "start": nowhere, "end": nowhere }),
+            false => self.use_of(finding),
         };
         let related = finding.related.iter().map(|related| {
             let uri = match related.place.file.name == self.source.name {
@@ -106,6 +122,41 @@ impl OpenFile {
             "relatedInformation": related.collect::<Vec<Value>>(),
         })
     }
+
+    /// Where this file uses the one a finding is in: the place itself is in another file. At the top
+    /// where it uses it through a third.
+    fn use_of(&self, finding: &Finding) -> Value {
+        let here = |related: &&Related| related.place.file.name == self.source.name;
+        if let Some(related) = finding.related.iter().find(here) {
+            return range(&related.place);
+        }
+        let folder = self.path().parent().unwrap_or(Path::new(""));
+        let named = self.document.as_ref().and_then(|document| {
+            let names =
+                |name: &str| folder.join(name).display().to_string() == finding.place.file.name;
+            Some(range(&document.place(name_of_file(&document.root, &names)?)))
+        });
+        let nowhere = json!({ "line": 0, "character": 0 });
+        named.unwrap_or_else(|| json!({ "start": nowhere, "end": nowhere }))
+    }
+}
+
+/// The first value of a key `file` that suits. The nesting of documents is bounded, and so is this
+/// recursion.
+fn name_of_file<'d>(
+    value: &'d document::Value,
+    suits: &impl Fn(&str) -> bool,
+) -> Option<&'d document::Value> {
+    match &value.kind {
+        ValueKind::Array(elements) => {
+            elements.iter().find_map(|element| name_of_file(element, suits))
+        }
+        ValueKind::Object(members) => members.iter().find_map(|member| match &member.value.kind {
+            ValueKind::String(name) if member.key == "file" && suits(name) => Some(&member.value),
+            _ => name_of_file(&member.value, suits),
+        }),
+        _ => None,
+    }
 }
 
 fn range(place: &Place) -> Value {
@@ -120,7 +171,7 @@ fn position(file: &SourceFile, byte: usize) -> Value {
 }
 
 /// The path of a `file:` address, its escapes undone; another address as it is.
-fn path_of(uri: &str) -> PathBuf {
+pub fn path_of(uri: &str) -> PathBuf {
     let Some(escaped) = uri.strip_prefix("file://") else { return PathBuf::from(uri) };
     let mut bytes = Vec::with_capacity(escaped.len());
     let mut rest = escaped.as_bytes();
@@ -154,7 +205,7 @@ mod tests {
     #[test]
     fn positions_count_in_utf_16() {
         let library = NodeLibrary::standard();
-        let file = OpenFile::read("file:///a.json", "{\n\"😀é\": 1 }", None, &library);
+        let file = OpenFile::read("file:///a.json", "{\n\"😀é\": 1 }", None, &library, &OnDisk);
         let at = |line: u64, character: u64| {
             file.byte_of(&json!({ "line": line, "character": character }))
         };

@@ -1,35 +1,37 @@
 //! The docs of what is under the pointer.
 
-use phenomenon_compiler::nodes::{FINITE, Input, NodeLibrary, Signature};
+use phenomenon_compiler::nodes::NodeLibrary;
 use serde_json::{Value, json};
 
-use super::complete::{members, signature, text};
 use super::file::OpenFile;
+use super::open_files::OpenFiles;
+use super::parts::{Part, Parts, members, parts_of, text};
 
 /// What there is to say about a byte of the file; null for nothing.
-pub fn hover(file: &OpenFile, at: usize, library: &NodeLibrary) -> Value {
+pub fn hover(file: &OpenFile, at: usize, library: &NodeLibrary, files: &OpenFiles) -> Value {
     // Places are those of the text that was JSON last; while it is not, they may be off.
     let Some(document) = file.document.as_ref().filter(|it| it.file.text == file.text()) else {
         return Value::Null;
     };
     let place = document.place_of_bytes(at, at);
     let path: Vec<&str> = place.path.split('.').collect();
+    let parts = |node: &str| parts_of(file, node, None, library, files);
     let told = match path.as_slice() {
         ["nodes", .., "node" | "output"] | ["roots", .., "node" | "output"] => {
             let connection = innermost(&document.root, at);
             let node = connection.and_then(|connection| text(connection, "node"));
-            node.and_then(|node| signature(file, library, node, None)).map(of_node)
+            node.and_then(parts).as_ref().map(of_node)
         }
         ["nodes" | "roots", .., "interface"] => {
             let connection = innermost(&document.root, at);
             connection.and_then(|it| text(it, "interface")).and_then(|name| parameter(file, name))
         }
-        ["nodes", name] | ["nodes", name, "type"] => {
-            signature(file, library, name, None).map(of_node)
+        ["nodes", name] | ["nodes", name, "type"] | ["nodes", name, "type", "file"] => {
+            parts(name).as_ref().map(of_node)
         }
         ["nodes", name, "inputs", input, ..] => {
-            let inputs = signature(file, library, name, None).map(|it| it.inputs.as_slice());
-            inputs.unwrap_or_default().iter().find(|it| it.name == *input).map(of_input)
+            let inputs = parts(name).map(|parts| parts.inputs).unwrap_or_default();
+            inputs.iter().find(|it| it.name == *input).map(of_input)
         }
         ["interface", name, ..] => parameter(file, name),
         _ => None,
@@ -59,32 +61,23 @@ fn innermost(
     found
 }
 
-fn of_node(signature: &Signature) -> String {
-    let names = |names: Vec<String>| names.join(", ");
-    let inputs =
-        signature.inputs.iter().map(|it| format!("`{}` {}", it.name, it.value_type.name()));
-    let outputs =
-        signature.outputs.iter().map(|it| format!("`{}` {}", it.name, it.value_type.name()));
-    let mut told = format!(
-        "**{}** ({})\n\n{}\n\nInputs: {}\n\nOutputs: {}",
-        signature.name,
-        signature.group,
-        signature.doc,
-        names(inputs.collect()),
-        names(outputs.collect()),
-    );
-    if !signature.source.is_empty() {
-        told.push_str(&format!("\n\nSource: {}", signature.source));
+fn of_node(parts: &Parts) -> String {
+    let listed = |parts: &[Part]| {
+        let names: Vec<String> =
+            parts.iter().map(|part| format!("`{}` {}", part.name, part.of)).collect();
+        names.join(", ")
+    };
+    let Parts { title, doc, source, inputs, outputs } = parts;
+    let (inputs, outputs) = (listed(inputs), listed(outputs));
+    let mut told = format!("{title}\n\n{doc}\n\nInputs: {inputs}\n\nOutputs: {outputs}");
+    if !source.is_empty() {
+        told.push_str(&format!("\n\nSource: {source}"));
     }
     told
 }
 
-fn of_input(input: &Input) -> String {
-    let mut told = format!("`{}` {}\n\n{}", input.name, input.value_type.name(), input.doc);
-    if input.range != FINITE {
-        told.push_str(&format!("\n\nRange: {} to {}", input.range.start(), input.range.end()));
-    }
-    told
+fn of_input(input: &Part) -> String {
+    format!("`{}` {}\n\n{}", input.name, input.of, input.doc)
 }
 
 fn parameter(file: &OpenFile, name: &str) -> Option<String> {
