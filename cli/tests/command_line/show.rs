@@ -4,7 +4,8 @@ use std::fs;
 
 use crate::program::{Folder, printed, refused};
 
-const GRAPHS: [&str; 6] = [
+const GRAPHS: [&str; 7] = [
+    "graphs/coated/coated_glass.json",
     "graphs/constant/constant_simple.json",
     "graphs/floor/checker_floor.json",
     "graphs/glass/advanced_glass.json",
@@ -41,7 +42,7 @@ fn what_cannot_be_drawn_or_written_is_refused() {
     let broken = folder.file("broken.json", "{");
     refused(&["show", &broken, "-o", &svg], &["never closed"]);
     let mut nodes = r#""n0": { "type": "add" }"#.to_owned();
-    for at in 1..2_500 {
+    for at in 1..5_500 {
         let before = at - 1;
         nodes += &format!(
             r#", "n{at}": {{ "type": "add", "inputs": {{ "a": {{ "node": "n{before}" }} }} }}"#
@@ -49,10 +50,10 @@ fn what_cannot_be_drawn_or_written_is_refused() {
     }
     let text = format!(
         r#"{{ "phenomenon": "long", "version": 1, "nodes": {{ {nodes} }},
-             "roots": {{ "material": {{ "node": "n2499" }} }} }}"#
+             "roots": {{ "material": {{ "node": "n5499" }} }} }}"#
     );
     let long = folder.file("long.json", text);
-    refused(&["show", &long, "-o", &svg], &["2501 boxes", "2000", ".dot"]);
+    refused(&["show", &long, "-o", &svg], &["5501 boxes", "5000", ".dot"]);
     assert!(!fs::exists(&svg).expect("the folder can be read"), "nothing is left behind");
     printed(&["show", &long, "-o", &folder.path("long.dot")]);
 }

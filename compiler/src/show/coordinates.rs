@@ -1,16 +1,20 @@
 //! How high each vertex stands: as level with its neighbours as the order of its column allows.
 
+use super::compact::close_gaps;
 use super::order::Columns;
 use super::routes::{Body, Routes, Vertex};
+use super::straighten::{make_way, straighten, tidy};
 
 /// Passes over all columns.
-const PASSES: usize = 32;
-/// The last passes go by the median: it makes most wires level instead of all of them nearly so.
-const MEDIAN_PASSES: usize = 8;
+const PASSES: usize = 64;
+/// The last passes make one wire of each box level where that is nearly so anyway.
+const LEVEL_PASSES: usize = 16;
+/// How far that may be from where its wires together want it.
+const NEARLY: f64 = 40.0;
 /// Between two boxes.
-const CARD_GAP: f64 = 20.0;
+const CARD_GAP: f64 = 22.0;
 /// Between a box and a passing wire.
-const WIRE_GAP: f64 = 12.0;
+const WIRE_GAP: f64 = 15.0;
 /// Between two passing wires.
 const LANE_GAP: f64 = 4.0;
 
@@ -24,13 +28,17 @@ pub(super) fn coordinates(routes: &Routes, columns: &Columns) -> Vec<f64> {
             (true, false) => Side::Right,
             (false, _) => Side::Both,
         };
-        let median = pass + MEDIAN_PASSES >= PASSES;
+        let level = pass + LEVEL_PASSES >= PASSES;
         let count = columns.len();
         for step in 0..count {
             let column = &columns[if pass % 2 == 0 { step } else { count - 1 - step }];
-            settle(routes, column, &pulls, side, median, &mut middles);
+            settle(routes, column, &pulls, side, level, &mut middles);
         }
     }
+    straighten(routes, columns, &mut middles);
+    close_gaps(routes, columns, &mut middles);
+    make_way(routes, columns, &mut middles);
+    tidy(routes, columns, &mut middles);
     straighten(routes, columns, &mut middles);
     let top = middles.iter().zip(&routes.vertices).map(|(y, vertex)| y - vertex.height / 2.0);
     let top = top.fold(f64::INFINITY, f64::min);
@@ -71,40 +79,32 @@ impl Pulls {
     }
 
     /// Where `vertex` wants to stand, and how much.
-    fn wish(&self, vertex: usize, side: Side, median: bool, middles: &[f64]) -> Option<(f64, f64)> {
+    fn wish(&self, vertex: usize, side: Side, level: bool, middles: &[f64]) -> Option<(f64, f64)> {
         let (left, right) = (&self.left[vertex], &self.right[vertex]);
         let (left, right): (&[Pull], &[Pull]) = match side {
             Side::Left if !left.is_empty() => (left, &[]),
             Side::Right if !right.is_empty() => (&[], right),
             _ => (left, right),
         };
-        let mut wishes: Vec<(f64, f64)> = left
-            .iter()
-            .chain(right)
-            .map(|pull| (middles[pull.vertex] + pull.shift, pull.weight))
-            .collect();
-        let weight: f64 = wishes.iter().map(|wish| wish.1).sum();
-        if wishes.is_empty() {
+        let wishes = || {
+            left.iter().chain(right).map(|pull| (middles[pull.vertex] + pull.shift, pull.weight))
+        };
+        let weight: f64 = wishes().map(|wish| wish.1).sum();
+        if weight == 0.0 {
             return None;
         }
-        if !median {
-            let sum: f64 = wishes.iter().map(|wish| wish.0 * wish.1).sum();
-            return Some((sum / weight, weight));
-        }
-        wishes.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut below = 0.0;
-        for &(place, own) in &wishes {
-            below += own;
-            if below * 2.0 >= weight {
-                return Some((place, weight));
-            }
-        }
-        None
+        let mean = wishes().map(|wish| wish.0 * wish.1).sum::<f64>() / weight;
+        let nearest = wishes().map(|wish| wish.0).min_by(|a, b| {
+            let far = |place: f64| (place - mean).abs();
+            far(*a).total_cmp(&far(*b))
+        });
+        let place = nearest.filter(|place| level && (place - mean).abs() <= NEARLY);
+        Some((place.unwrap_or(mean), weight))
     }
 }
 
 /// Least distance of the middles of two vertices, the first above the second.
-fn distance(upper: &Vertex, lower: &Vertex) -> f64 {
+pub(super) fn distance(upper: &Vertex, lower: &Vertex) -> f64 {
     let gap = match (upper.body, lower.body) {
         (Body::Bend, Body::Bend) => LANE_GAP,
         (Body::Card(_), Body::Card(_)) => CARD_GAP,
@@ -143,7 +143,7 @@ fn settle(
     column: &[usize],
     pulls: &Pulls,
     side: Side,
-    median: bool,
+    level: bool,
     middles: &mut [f64],
 ) {
     struct Pool {
@@ -157,7 +157,8 @@ fn settle(
         .iter()
         .zip(&offsets)
         .map(|(&vertex, offset)| {
-            let wish = pulls.wish(vertex, side, median, middles);
+            let level = level && routes.vertices[vertex].body != Body::Bend;
+            let wish = pulls.wish(vertex, side, level, middles);
             wish.map(|(place, weight)| (place - offset, weight))
         })
         .collect();
@@ -182,72 +183,5 @@ fn settle(
         pools.iter().flat_map(|pool| std::iter::repeat_n(pool.sum / pool.weight, pool.members));
     for ((&vertex, offset), place) in column.iter().zip(offsets).zip(places) {
         middles[vertex] = place + offset;
-    }
-}
-
-/// Makes the bends of a wire level over as many columns as there is room for.
-fn straighten(routes: &Routes, columns: &Columns, middles: &mut [f64]) {
-    let mut next: Vec<Option<usize>> = vec![None; routes.vertices.len()];
-    let mut starts: Vec<usize> = Vec::new();
-    for segment in &routes.segments {
-        let is_bend = |vertex: usize| routes.vertices[vertex].body == Body::Bend;
-        match (is_bend(segment.from), is_bend(segment.to)) {
-            (true, true) => next[segment.from] = Some(segment.to),
-            (false, true) => starts.push(segment.to),
-            _ => {}
-        }
-    }
-    let mut rows = vec![0; routes.vertices.len()];
-    for column in columns {
-        for (row, &vertex) in column.iter().enumerate() {
-            rows[vertex] = row;
-        }
-    }
-    for start in starts {
-        let mut run = Vec::new();
-        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        let mut at = Some(start);
-        while let Some(vertex) = at {
-            let column = &columns[routes.vertices[vertex].layer];
-            let (own_low, own_high) = freedom(routes, column, rows[vertex], middles);
-            if own_low.max(low) > own_high.min(high) {
-                level(&run, low, high, middles);
-                run.clear();
-                (low, high) = (own_low, own_high);
-            } else {
-                (low, high) = (low.max(own_low), high.min(own_high));
-            }
-            run.push(vertex);
-            at = next[vertex];
-        }
-        level(&run, low, high, middles);
-    }
-}
-
-/// How high and how low the vertex in `row` may go while its neighbours stay.
-fn freedom(routes: &Routes, column: &[usize], row: usize, middles: &[f64]) -> (f64, f64) {
-    let vertex = |row: usize| &routes.vertices[column[row]];
-    let low = match row.checked_sub(1) {
-        Some(above) => middles[column[above]] + distance(vertex(above), vertex(row)),
-        None => f64::NEG_INFINITY,
-    };
-    let high = match column.get(row + 1) {
-        Some(&below) => middles[below] - distance(vertex(row), vertex(row + 1)),
-        None => f64::INFINITY,
-    };
-    // Rounding may leave them a hair apart in the wrong order.
-    (low, high.max(low))
-}
-
-/// Puts a run of bends at one height between `low` and `high`.
-fn level(run: &[usize], low: f64, high: f64, middles: &mut [f64]) {
-    if run.is_empty() {
-        return;
-    }
-    let mut heights: Vec<f64> = run.iter().map(|&vertex| middles[vertex]).collect();
-    heights.sort_by(f64::total_cmp);
-    let height = heights[heights.len() / 2].max(low).min(high);
-    for &vertex in run {
-        middles[vertex] = height;
     }
 }

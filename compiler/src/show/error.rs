@@ -2,7 +2,7 @@
 
 /// Most boxes (parameters, nodes and roots) of an SVG. Larger drawings can be neither read nor
 /// opened; DOT has no limit.
-pub const MAX_BOXES: usize = 2_000;
+pub const MAX_BOXES: usize = 5_000;
 
 /// Why a graph cannot be drawn.
 #[derive(Clone, Debug, thiserror::Error, PartialEq, Eq)]

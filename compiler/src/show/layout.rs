@@ -9,9 +9,12 @@ use super::order::order;
 use super::routes::{Body, Route, Routes, routes};
 
 /// Least room between columns.
-const NARROW_GAP: f64 = 52.0;
+const NARROW_GAP: f64 = 60.0;
 /// Most room between columns.
-const WIDE_GAP: f64 = 150.0;
+const WIDE_GAP: f64 = 160.0;
+/// How far wires run level past the boxes of their column before they climb: sockets stay clear, and
+/// steep wires keep off corners.
+const STUB: f64 = 8.0;
 
 /// A box's place on the page; its left top corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -139,16 +142,16 @@ impl Layout {
         let end = self.places[to].y + self.frames[to].inputs[input];
         let mut track = vec![
             Place { x: self.places[from].x + self.frames[from].width, y: start },
-            Place { x: spans[layers[from]].right, y: start },
+            Place { x: spans[layers[from]].right + STUB, y: start },
         ];
         if let Route::Through(bends) = route {
             for &bend in bends {
                 let span = spans[routes.vertices[bend].layer];
-                track.push(Place { x: span.left, y: middles[bend] });
-                track.push(Place { x: span.right, y: middles[bend] });
+                track.push(Place { x: span.left - STUB, y: middles[bend] });
+                track.push(Place { x: span.right + STUB, y: middles[bend] });
             }
         }
-        track.push(Place { x: spans[layers[to]].left, y: end });
+        track.push(Place { x: spans[layers[to]].left - STUB, y: end });
         track.push(Place { x: self.places[to].x, y: end });
         track
     }

@@ -39,6 +39,18 @@ impl Pen {
         );
     }
 
+    /// The same behind the socket the wire would start from.
+    pub fn stub_out(&mut self, x: f64, y: f64, value_type: Type, dead: bool) {
+        let faded = if dead { " opacity=\"0.5\"" } else { "" };
+        let _ = writeln!(
+            self.svg,
+            "<path d=\"M{} {}h14m0 -4v8\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{faded}/>",
+            short(x),
+            short(y),
+            color(value_type)
+        );
+    }
+
     /// A mark on a wire whose value changes type; its tip is at `x`.
     pub fn conversion(&mut self, x: f64, y: f64, dead: bool) {
         let faded = if dead { " opacity=\"0.5\"" } else { "" };

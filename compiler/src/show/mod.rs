@@ -21,9 +21,11 @@
 //!
 //! The way of an SVG: a `diagram` says what is drawn, `frames` how large each box is,
 //! `layers` in which column it stands, `routes` where long wires pass through columns, `order`
-//! who stands above whom, `coordinates` where exactly, and `svg` writes it down. Nothing depends
+//! who stands above whom, `coordinates` where exactly (`compact` closes empty bands, `straighten`
+//! makes wires level), and `svg` writes it down. Nothing depends
 //! on hashes, time or addresses: the same graph gives the same bytes.
 
+mod compact;
 mod coordinates;
 mod dead;
 mod diagram;
@@ -38,6 +40,7 @@ mod legend;
 mod marks;
 mod order;
 mod routes;
+mod straighten;
 mod svg;
 mod text;
 mod theme;

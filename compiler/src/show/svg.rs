@@ -1,5 +1,6 @@
 //! A laid out diagram as SVG.
 
+use std::collections::HashSet;
 use std::fmt::Write;
 
 use crate::graph::Graph;
@@ -119,12 +120,22 @@ fn wires(pen: &mut Pen, diagram: &Diagram<'_>, layout: &Layout) {
             }
         }
     }
+    // Outputs that have a wire already, or their sign.
+    let drawn = diagram.wires.iter().zip(&layout.tracks).filter(|(_, track)| !track.is_empty());
+    let mut told: HashSet<(usize, usize)> = drawn.map(|(wire, _)| wire.from).collect();
     for (wire, track) in diagram.wires.iter().zip(&layout.tracks) {
         if track.is_empty() {
             let (place, frame) = (&layout.places[wire.to.0], &layout.frames[wire.to.0]);
             let value_type = diagram.cards[wire.from.0].outputs[wire.from.1].value_type;
             let y = place.y + frame.inputs[wire.to.1];
             pen.stub(place.x, y, value_type, wire.dead);
+            let (place, frame) = (&layout.places[wire.from.0], &layout.frames[wire.from.0]);
+            if told.insert(wire.from) {
+                let y = place.y + frame.outputs[wire.from.1];
+                let dead = diagram.cards[wire.from.0].dead.is_some();
+                pen.stub_out(place.x + frame.width, y, value_type, dead);
+            }
+            let place = &layout.places[wire.to.0];
             if wire.ruled_out {
                 pen.crossing_out(place.x - 8.0, y, diagram.cards[wire.to.0].dead.is_some());
             }
