@@ -20,8 +20,8 @@ mod signature;
 pub use code::{Body, Code};
 pub use library::{Definition, NodeLibrary, NodeType, Overload, paragraph};
 pub use signature::{
-    BLACK, Default, FINITE, Input, Kind, Literal, NOT_NEGATIVE, Output, POSITIVE, Signature, Type,
-    WHITE, node, required, state,
+    Avoid, BLACK, Default, FINITE, Input, Kind, Literal, NOT_NEGATIVE, Output, POSITIVE, Signature,
+    Type, WHITE, node, required, state,
 };
 
 /// Declares the folders and files of nodes, and the list [`NodeLibrary::standard`] is made from.

@@ -4,7 +4,8 @@ use std::fmt::Write;
 use std::ops::RangeInclusive;
 
 use super::{
-    Default, Definition, FINITE, GROUPS, Kind, Literal, NOT_NEGATIVE, NodeLibrary, Signature, Type,
+    Avoid, Default, Definition, FINITE, GROUPS, Kind, Literal, NOT_NEGATIVE, NodeLibrary,
+    Signature, Type,
 };
 
 /// `docs/nodes.md`: every node of `library` in Markdown, by group.
@@ -43,6 +44,11 @@ fn write_node(page: &mut String, definition: &Definition) {
         }
         if input.scoped {
             doc.push_str(" *Evaluated inside.*");
+        }
+        match input.avoid {
+            Some(Avoid::Zero) => doc.push_str(" *Should not be 0.*"),
+            Some(Avoid::Negative) => doc.push_str(" *Should not be negative.*"),
+            None => {}
         }
         let _ = writeln!(
             page,
