@@ -10,6 +10,7 @@ use crate::graph::Graph;
 use crate::nodes::NodeLibrary;
 
 use super::draft::{Draft, Suggestions};
+use super::intervals::Intervals;
 use super::nested::{Files, Nest, OnDisk};
 use super::requirements::Requirements;
 use super::{
@@ -122,11 +123,10 @@ pub(super) fn check<'d>(
     light_loops::check(reader, &draft);
     stations::check(reader, &draft);
     reach::check(reader, &draft);
-    ranges::check(reader, &draft);
-    hazards::check(reader, &draft);
-    if draft.nodes.iter().all(|node| node.node_type.is_some()) {
-        dead_inputs::check(reader, &draft, &nodes);
-    }
+    let intervals = Intervals::of(&draft, &nodes, &order);
+    ranges::check(reader, &draft, &nodes, &intervals);
+    hazards::check(reader, &draft, &nodes, &intervals);
+    dead_inputs::check(reader, &draft, &nodes, &intervals);
     let graph = Graph {
         name: name.unwrap_or_default().to_owned(),
         doc: doc.unwrap_or_default().to_owned(),

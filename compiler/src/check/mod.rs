@@ -19,6 +19,7 @@ mod expand;
 mod graph;
 mod hazards;
 mod interface;
+mod intervals;
 mod light_loops;
 mod literals;
 mod mismatch;

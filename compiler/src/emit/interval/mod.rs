@@ -85,6 +85,15 @@ impl Word {
         self
     }
 
+    /// Whether it is one value only.
+    pub fn is_point(&self) -> bool {
+        match self {
+            Word::Number(number) => number.low == number.high && !number.nan,
+            Word::Integer(whole) => whole.point().is_some(),
+            Word::Truth(truth) => truth.decided().is_some(),
+        }
+    }
+
     /// Whether these bits may be its value.
     pub fn contains(&self, bits: u32) -> bool {
         match self {
