@@ -1,5 +1,6 @@
 //! What a shader may ask of the renderer, and the trait through which it asks.
 
+use crate::nodes::Texture;
 use crate::state::{Field, State};
 
 /// Anything a node asks of the renderer.
@@ -17,17 +18,20 @@ pub enum Effect {
     TraceProbe,
     /// The colour a light sample sends to the point, after shadows. Only inside a light loop.
     LightColor,
+    /// The colour of a texture. Arguments: two coordinates. Answer: see [`Renderer::read_texture`].
+    ReadTexture,
 }
 
 impl Effect {
     /// Every effect.
-    pub const ALL: [Effect; 6] = [
+    pub const ALL: [Effect; 7] = [
         Effect::TraceReflection,
         Effect::TraceRefraction,
         Effect::TraceTransparent,
         Effect::TraceEnvironment,
         Effect::TraceProbe,
         Effect::LightColor,
+        Effect::ReadTexture,
     ];
 
     /// Name in reports.
@@ -39,6 +43,7 @@ impl Effect {
             Effect::TraceEnvironment => "trace_environment",
             Effect::TraceProbe => "trace_probe",
             Effect::LightColor => "light_color",
+            Effect::ReadTexture => "read_texture",
         }
     }
 
@@ -46,6 +51,7 @@ impl Effect {
     /// anew. All of the state goes to the renderer, but only these may matter to it.
     pub fn reads(self) -> &'static [Field] {
         match self {
+            Effect::ReadTexture => &[],
             Effect::TraceReflection | Effect::TraceRefraction => {
                 &[Field::Point, Field::NormalGeom, Field::Ior, Field::IorIn, Field::Time]
             }
@@ -108,11 +114,33 @@ pub struct LightSample {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct LightList(pub u32);
 
+/// A texture, resolved by the renderer from the file in a graph.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct TextureId(pub u32);
+
 /// The renderer as engines see it. Every call carries many points; an engine that runs one point
 /// at a time passes one. Answers may depend on the arguments only, never on order or grouping.
 pub trait Renderer {
     /// Traces `rays` and writes one answer each. `effect` is one of the trace effects.
     fn trace(&mut self, effect: Effect, rays: &[Ray], answers: &mut [Answer]);
+
+    /// The texture of a file. A renderer opens all of [`crate::engine::Shade::textures`] beforehand and
+    /// refuses to start where it cannot. One that has no textures need not implement this.
+    fn texture(&mut self, _texture: &Texture) -> TextureId {
+        TextureId(u32::MAX)
+    }
+
+    /// The colour (r, g, b, a) of `texture` at each pair of coordinates, the picture filling 0..1 in
+    /// both, the second upwards, and repeated outside; none where a coordinate is not finite, or there
+    /// is no such texture.
+    fn read_texture(
+        &mut self,
+        _texture: TextureId,
+        _coordinates: &[[f32; 2]],
+        colors: &mut [Option<[f32; 4]>],
+    ) {
+        colors.fill(None);
+    }
 
     /// The list of the lights called `names`; no names means all lights of the scene.
     fn light_list(&mut self, names: &[String]) -> LightList;

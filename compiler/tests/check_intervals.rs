@@ -207,9 +207,9 @@ fn dead_branches_are_seen_through_arithmetic() {
     alive("z = less a:$p b:0.5\n s = select condition:z if_true:t if_false:0");
     alive("s = mix weight:$p b:t");
     alive("z = less a:$free b:0\n s = select condition:z if_true:t if_false:0");
-    // Beyond its range there may be NaN: nothing is ruled out.
+    // Any finite number less itself is 0, but here it may be NaN.
     alive(
-        "z = subtract a:$free b:$free\n e = equal a:z b:0\n s = select condition:e if_true:1 if_false:t",
+        "here = state\n z = subtract a:here.u b:here.u\n e = equal a:z b:0\n s = select condition:e if_true:1 if_false:t",
     );
 }
 

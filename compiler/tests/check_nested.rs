@@ -32,6 +32,10 @@ impl Files for InMemory {
     fn identity(&self, path: &Path) -> PathBuf {
         path.components().filter(|part| part.as_os_str() != ".").collect()
     }
+
+    fn unusable(&self, path: &Path) -> Option<String> {
+        (!self.0.contains_key(&self.identity(path))).then(|| "no such file".into())
+    }
 }
 
 fn check(files: &[(&str, String)]) -> Checked {

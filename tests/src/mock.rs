@@ -1,8 +1,10 @@
 //! A renderer without a scene: each answer is a hash of what the request may depend on, and each
 //! request is logged.
 
-use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
-use phenomenon_compiler::nodes::Type;
+use phenomenon_compiler::effects::{
+    Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId,
+};
+use phenomenon_compiler::nodes::{Texture, Type};
 use phenomenon_compiler::state::{Field, State};
 
 use crate::random::{Random, canonical, mixed};
@@ -89,6 +91,28 @@ impl Renderer for MockRenderer {
                 hit: random.chance(70),
                 distance: random.number(),
             };
+        }
+    }
+
+    fn texture(&mut self, texture: &Texture) -> TextureId {
+        let name = format!("{} {}", texture.file, texture.space.name());
+        TextureId(hash(name.bytes().map(u32::from)) as u32)
+    }
+
+    fn read_texture(
+        &mut self,
+        texture: TextureId,
+        coordinates: &[[f32; 2]],
+        colors: &mut [Option<[f32; 4]>],
+    ) {
+        assert_eq!(coordinates.len(), colors.len());
+        assert!(!coordinates.is_empty(), "a request without points");
+        for (at, color) in coordinates.iter().zip(colors) {
+            let words = at.map(|x| canonical(x.to_bits()));
+            let record = vec![Effect::ReadTexture as u32, texture.0, words[0], words[1]];
+            let mut random = Random::new(hash(record.iter().copied()));
+            self.log.push(record);
+            *color = random.chance(70).then(|| [0; 4].map(|_| random.number()));
         }
     }
 

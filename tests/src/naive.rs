@@ -299,6 +299,7 @@ impl Evaluation<'_> {
         let words = match &signature.kind {
             Kind::Plain => self.body(node, at)?,
             Kind::Request(Effect::LightColor) => self.light_color(at)?,
+            Kind::Request(Effect::ReadTexture) => self.read_texture(node, at)?,
             Kind::Request(effect) => self.trace(node, *effect, at)?,
             Kind::Scope(_) => {
                 let scope = Inside::Scope { node, fields: None };
@@ -308,6 +309,7 @@ impl Evaluation<'_> {
             }
             Kind::LightLoop => self.light_loop(node, at)?,
             Kind::Fields(_) => unreachable!("fields are read, not evaluated"),
+            Kind::List(_) => unreachable!("the checker makes other nodes of it"),
         };
         self.kept.insert((node, at), words.clone());
         Ok(words)
@@ -340,7 +342,7 @@ impl Evaluation<'_> {
                 (guard.scalar)(&words, &mut outcome);
                 outcome[0] != 0
             });
-            if holds && !declared.scoped && declared.value_type != Type::Lights {
+            if holds && !declared.scoped && !declared.value_type.is_in_code() {
                 let value = self.input(node, input, at)?;
                 words[first..first + widths[input]].copy_from_slice(&value);
             }
@@ -387,6 +389,29 @@ impl Evaluation<'_> {
         let truth = |value: bool| if value { u32::MAX } else { 0 };
         let [r, g, b, a] = color.map(f32::to_bits);
         Ok(vec![r, g, b, a, truth(ok), truth(hit), distance.to_bits()])
+    }
+
+    fn read_texture(&mut self, node: usize, at: SurroundingsId) -> Result<Vec<u32>, TooLong> {
+        let naive = self.naive;
+        let of = &naive.nodes[node];
+        let given = of.inputs.iter().find_map(|binding| match binding {
+            Binding::Literal(Literal::Texture(texture)) => Some(texture),
+            Binding::Parameter(parameter) => match &naive.parameters[*parameter] {
+                Literal::Texture(texture) => Some(texture),
+                _ => None,
+            },
+            _ => None,
+        });
+        let Some(Some(texture)) = given else { return Ok(vec![0; 5]) };
+        let texture = self.renderer.texture(texture);
+        let mut coordinates = [0.0; 2];
+        for (k, coordinate) in coordinates.iter_mut().enumerate() {
+            *coordinate = f32::from_bits(self.input(node, k + 1, at)?[0]);
+        }
+        let mut colors = [None];
+        self.renderer.read_texture(texture, &[coordinates], &mut colors);
+        let [r, g, b, a] = colors[0].unwrap_or_default().map(f32::to_bits);
+        Ok(vec![r, g, b, a, if colors[0].is_some() { u32::MAX } else { 0 }])
     }
 
     /// Surroundings from the outermost to `at`.

@@ -3,13 +3,13 @@
 use std::fmt::Write;
 
 use phenomenon_compiler::graph::{Binding, Graph};
-use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+use phenomenon_compiler::nodes::NodeLibrary;
 
 /// The graph, a line for each node; inputs left at their defaults are left out.
 pub fn graph_text(graph: &Graph, library: &NodeLibrary) -> String {
     let mut text = String::new();
     for parameter in &graph.parameters {
-        let _ = writeln!(text, "  parameter {} = {}", parameter.name, literal(&parameter.default));
+        let _ = writeln!(text, "  parameter {} = {}", parameter.name, parameter.default);
     }
     for node in &graph.nodes {
         let definition = library.definition(node.node_type);
@@ -37,23 +37,12 @@ pub fn graph_text(graph: &Graph, library: &NodeLibrary) -> String {
 fn binding(graph: &Graph, library: &NodeLibrary, binding: &Binding) -> String {
     match binding {
         Binding::Default => "default".to_owned(),
-        Binding::Literal(value) => literal(value),
+        Binding::Literal(value) => value.to_string(),
         Binding::Parameter(at) => graph.parameters[*at].name.clone(),
         Binding::Node { node, output } => {
             let node = &graph.nodes[*node];
             let outputs = &library.signature(node.node_type).outputs;
             format!("{}.{}", node.name, outputs[*output].name)
         }
-    }
-}
-
-fn literal(literal: &Literal) -> String {
-    match literal {
-        Literal::Boolean(value) => format!("{value}"),
-        Literal::Integer(value) => format!("{value}"),
-        Literal::Scalar(value) => format!("{value:?}"),
-        Literal::Color(value) => format!("{value:?}"),
-        Literal::Vector(value) => format!("{value:?}"),
-        Literal::Lights(names) => format!("lights {names:?}"),
     }
 }

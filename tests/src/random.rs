@@ -1,6 +1,6 @@
 //! Seeded randomness for tests, with a taste for hard values.
 
-use phenomenon_compiler::nodes::{Literal, Type};
+use phenomenon_compiler::nodes::{Literal, Space, Texture, Type};
 use phenomenon_compiler::state::{Hit, RayType, State};
 
 /// Numbers at which arithmetic goes wrong.
@@ -31,6 +31,8 @@ pub const HARD: [f32; 22] = [
 
 /// Names light lists are made of.
 const LIGHTS: [&str; 3] = ["key", "fill", "rim"];
+/// Textures, and none.
+const TEXTURES: [Option<&str>; 3] = [None, Some("wood.png"), Some("sky.exr")];
 
 /// A generator whose whole sequence follows from its seed.
 #[derive(Clone, Debug)]
@@ -104,6 +106,18 @@ impl Random {
             Type::Scalar | Type::Generic => Literal::Scalar(self.number()),
             Type::Color => Literal::Color([0; 4].map(|_| self.number())),
             Type::Vector => Literal::Vector(self.vector()),
+            Type::Transform => Literal::Transform(std::array::from_fn(|at| match at {
+                3 | 7 | 11 => 0.0,
+                15 => 1.0,
+                _ => self.number(),
+            })),
+            Type::String => Literal::String(self.pick(&["", "matte", "gloss"]).to_owned()),
+            Type::Texture => Literal::Texture(
+                self.pick(&TEXTURES)
+                    .map(|file| Texture { file: file.to_owned(), space: Space::of_file(file) }),
+            ),
+            Type::Shader => Literal::NoShader,
+            Type::Light => Literal::Light(self.pick(&LIGHTS).to_owned()),
             Type::Lights => {
                 let names = LIGHTS.iter().filter(|_| self.chance(40));
                 Literal::Lights(names.map(|name| (*name).to_owned()).collect())

@@ -61,7 +61,11 @@ struct Facts {
 /// Classes of node types; each type may be in several.
 fn classes(library: &NodeLibrary) -> Vec<Vec<NodeType>> {
     let of = |wanted: &dyn Fn(&Signature) -> bool| -> Vec<NodeType> {
-        let types = library.iter().filter(|(_, definition)| wanted(&definition.signature));
+        // The checker makes other nodes of those over lists.
+        let is_list = |signature: &Signature| matches!(signature.kind, Kind::List(_));
+        let types = library.iter().filter(|(_, definition)| {
+            !is_list(&definition.signature) && wanted(&definition.signature)
+        });
         types.map(|(node_type, _)| node_type).collect()
     };
     let guarded = of(&|signature| signature.inputs.iter().any(|input| input.guarded));
@@ -96,11 +100,9 @@ pub fn is_of_light(fields: &Fields) -> bool {
 
 impl<'a> Growing<'a> {
     fn new(random: &'a mut Random, library: &'a NodeLibrary) -> Self {
-        let types =
-            [Type::Scalar, Type::Color, Type::Boolean, Type::Integer, Type::Vector, Type::Lights];
         let parameters = (0..random.below(6))
             .map(|at| {
-                let value_type = random.pick(&types);
+                let value_type = random.pick(&Type::ALL);
                 Parameter {
                     name: format!("p{at}"),
                     doc: String::new(),
@@ -165,7 +167,7 @@ impl<'a> Growing<'a> {
     }
 
     fn binding(&mut self, to: Type, required: bool, scoped: bool, of_loop: bool) -> Binding {
-        if to != Type::Lights && (scoped || self.random.chance(75)) {
+        if !to.is_uniform() && (scoped || self.random.chance(75)) {
             let mut sources = self.sources(to);
             if of_loop {
                 sources.retain(|(node, _)| self.facts[*node].nested_loops < MOST_NESTED_LOOPS);
@@ -181,6 +183,8 @@ impl<'a> Growing<'a> {
         }
         let parameters: Vec<usize> = (0..self.parameters.len())
             .filter(|&at| self.parameters[at].value_type.converts_to(to))
+            // Only a node, or another parameter of that type, is a shader.
+            .filter(|&at| to != Type::Shader || self.parameters[at].value_type == to)
             .collect();
         match self.random.below(3) {
             0 if !parameters.is_empty() => Binding::Parameter(self.random.pick(&parameters)),

@@ -20,7 +20,7 @@ pub fn changed(kind: &Kind) -> Fields {
     match kind {
         Kind::Scope(fields) => fields.iter().copied().collect(),
         Kind::LightLoop => light_fields(),
-        Kind::Plain | Kind::Fields(_) | Kind::Request(_) => Fields::new(),
+        Kind::Plain | Kind::Fields(_) | Kind::Request(_) | Kind::List(_) => Fields::new(),
     }
 }
 
@@ -41,7 +41,7 @@ pub fn of_node(
     let mut fields: Fields = match &signature.kind {
         Kind::Request(effect) => effect.reads().iter().copied().collect(),
         Kind::LightLoop => [Field::Point, Field::NormalGeom].into(),
-        Kind::Plain | Kind::Fields(_) | Kind::Scope(_) => Fields::new(),
+        Kind::Plain | Kind::Fields(_) | Kind::Scope(_) | Kind::List(_) => Fields::new(),
     };
     let changed = changed(&signature.kind);
     for (input, binding) in signature.inputs.iter().zip(&node.inputs) {

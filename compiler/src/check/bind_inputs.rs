@@ -1,13 +1,13 @@
 //! Binding every input and root to its source, with the types checked.
 
 use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, shortened};
+use crate::document::{Member, Reader, shortened};
 use crate::graph::{Binding, Node, Root};
-use crate::nodes::{Default, NodeType, Signature, Type};
+use crate::nodes::{Default, Kind, Literal, NodeType, Signature, Type};
 
 use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
 use super::types::{Types, overload};
-use super::{literals, mismatch};
+use super::{lists, literals, mismatch};
 
 /// The nodes and the roots. Nodes of unknown type are left out: they made a finding, and then there
 /// is no graph. Nodes that lists of shaders take come after those of the file.
@@ -17,8 +17,23 @@ pub(super) fn bind<'d>(
     types: &Types,
 ) -> (Vec<Node>, Vec<Root>) {
     let mut nodes = Vec::with_capacity(draft.nodes.len());
+    let mut added = Vec::new();
     for (at, node) in draft.nodes.iter().enumerate() {
         let Some(node_type) = node.node_type else { continue };
+        if let Kind::List(form) = draft.library.signature(node_type).kind {
+            let Some(values) = bind_list(reader, draft, types, at, node_type) else { continue };
+            let next = draft.nodes.len() + added.len();
+            let list =
+                lists::List { library: &draft.library, name: &node.member.key, values, next };
+            match list.nodes(form) {
+                Some((own, others)) => {
+                    nodes.push(own);
+                    added.extend(others);
+                }
+                None => needs(reader, node.member, "select`, `less_equal` and `add", "a list"),
+            }
+            continue;
+        }
         nodes.push(Node {
             name: node.member.key.clone(),
             node_type,
@@ -26,6 +41,7 @@ pub(super) fn bind<'d>(
             inputs: bind_node(reader, draft, types, at, node_type),
         });
     }
+    nodes.append(&mut added);
     let roots =
         draft.roots.iter().filter_map(|root| bind_root(reader, draft, types, root, &mut nodes));
     let roots = roots.collect();
@@ -75,9 +91,7 @@ fn chained(
     nodes: &mut Vec<Node>,
 ) -> Option<Binding> {
     let Some(node_type) = draft.library.find("chain") else {
-        let message = "the node library has no `chain`, which a list of shaders takes";
-        let help = "give the root one shader";
-        reader.report_key(Code::UNKNOWN_NODE_TYPE, root.member, message, help);
+        needs(reader, root.member, "chain", "a list of shaders");
         return None;
     };
     let signature = draft.library.signature(node_type);
@@ -92,6 +106,50 @@ fn chained(
     }
     nodes.push(Node { name, node_type, overload: 0, inputs });
     Some(Binding::Node { node: nodes.len() - 1, output: 0 })
+}
+
+fn needs(reader: &mut Reader<'_>, member: &Member, names: &str, what: &str) {
+    let message = format!("the node library lacks `{names}`, which {what} takes");
+    reader.report_key(Code::UNKNOWN_NODE_TYPE, member, message, "add them to the library");
+}
+
+/// What a node over a list is given: the index, if it takes one, and the values.
+fn bind_list<'d>(
+    reader: &mut Reader<'d>,
+    draft: &Draft<'d>,
+    types: &Types,
+    node: usize,
+    node_type: NodeType,
+) -> Option<lists::Values> {
+    let signature = draft.library.signature(node_type);
+    let generic = types.generic(node);
+    let mut values = Vec::new();
+    let mut index = Binding::Literal(Literal::Integer(0));
+    let mut complete = true;
+    let mut given = vec![false; signature.inputs.len()];
+    for input in &draft.nodes[node].inputs {
+        let Some(at) = input.input else { continue };
+        given[at] = true;
+        let declared = &signature.inputs[at];
+        let to =
+            if declared.value_type == Type::Generic { generic } else { Some(declared.value_type) };
+        let what = || {
+            let of = shortened(draft.name(node));
+            format!("input `{}` of node `{of}` ({})", declared.name, signature.name)
+        };
+        let Some(to) = to else {
+            complete = false;
+            continue;
+        };
+        match bind_source(reader, draft, types, &input.source, to, declared.list, &what) {
+            Some(binding) if declared.list => values.push(binding),
+            Some(binding) => index = binding,
+            None => complete = false,
+        }
+    }
+    missing_inputs(reader, draft, node, signature, &given);
+    let generic = generic.filter(|_| complete && !values.is_empty())?;
+    Some(lists::Values { index, values, generic })
 }
 
 fn bind_node<'d>(
@@ -166,6 +224,22 @@ fn bind_source<'d>(
 ) -> Option<Binding> {
     let binding = match source.kind {
         SourceKind::Broken => return None,
+        SourceKind::Compound(at) => {
+            let (name, shape) = &draft.compounds[at];
+            let message = format!(
+                "{} takes {}, but parameter `{}` is {}",
+                what(),
+                literals::with_article(to),
+                shortened(name),
+                shape.describe()
+            );
+            let help = match shape.parts(name).into_iter().find(|(_, of)| of.converts_to(to)) {
+                Some((part, _)) => format!("name a part of it, such as `{}`", shortened(&part)),
+                None => format!("connect {} instead", literals::with_article(to)),
+            };
+            reader.report(Code::TYPE_MISMATCH, source.value, message, help);
+            return None;
+        }
         SourceKind::Literal => {
             return literals::read(reader, source.value, to, repeat, what).map(Binding::Literal);
         }
@@ -173,7 +247,11 @@ fn bind_source<'d>(
         SourceKind::Node(node, output) => Binding::Node { node, output: output? },
     };
     let from = types.of(draft, source)?;
-    if !from.converts_to(to) {
+    // A shader is what makes a color; a parameter of type color is no more than the color.
+    let unmade = to == Type::Shader
+        && from == Type::Color
+        && matches!(source.kind, SourceKind::Parameter(_));
+    if !from.converts_to(to) || unmade {
         mismatch::report(reader, draft, source, (from, to), what);
         return None;
     }

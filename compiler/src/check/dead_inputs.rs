@@ -2,19 +2,13 @@
 
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, shortened};
-use crate::graph::Node;
 
 use super::draft::{Draft, DraftInput, SourceKind};
 use super::intervals::Intervals;
 
 /// Reports connections to inputs whose guard never holds.
-pub(super) fn check(
-    reader: &mut Reader<'_>,
-    draft: &Draft<'_>,
-    nodes: &[Node],
-    intervals: &Intervals,
-) {
-    for &(at, dead) in intervals.never_demanded() {
+pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Intervals<'_>) {
+    for (at, dead) in intervals.never_demanded(draft) {
         let drafted = &draft.nodes[at];
         let Some(node_type) = drafted.node_type else { continue };
         let signature = draft.library.signature(node_type);
@@ -31,7 +25,7 @@ pub(super) fn check(
             let Some(source) = given(earlier).map(|given| given.source.kind) else { continue };
             let of = match source {
                 SourceKind::Parameter(parameter) => {
-                    let name = shortened(&draft.parameters[parameter].member.key);
+                    let name = shortened(&draft.parameters[parameter].name);
                     parameters.push(format!("`{name}`"));
                     format!("parameter `{name}`")
                 }
@@ -42,7 +36,7 @@ pub(super) fn check(
                 }
                 _ => continue,
             };
-            let is = match intervals.arriving(draft, nodes, at, earlier).as_slice() {
+            let is = match intervals.arriving(draft, at, earlier).as_slice() {
                 [word] => format!("is {}", word.described()),
                 // Of several components there is no one thing to say.
                 _ => "rules it out".into(),

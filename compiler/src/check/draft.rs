@@ -9,6 +9,7 @@ use crate::graph::{Parameter, RootKind};
 use crate::nodes::{NodeLibrary, NodeType, Type};
 
 use super::nested::Nested;
+use super::shapes::Shape;
 
 /// The names of a graph, and their types as far as they are known.
 pub(super) struct Draft<'d> {
@@ -21,7 +22,11 @@ pub(super) struct Draft<'d> {
     pub parameters: Vec<DraftParameter<'d>>,
     pub nodes: Vec<DraftNode<'d>>,
     pub roots: Vec<DraftRoot<'d>>,
-    pub parameter_names: HashMap<&'d str, usize>,
+    /// Parts of the interface by name: `tint`, `layers[2].tint`.
+    pub parameter_names: HashMap<String, usize>,
+    /// Arrays and structs of the interface, and those within them.
+    pub compounds: Vec<(String, Shape)>,
+    pub compound_names: HashMap<String, usize>,
     pub node_names: HashMap<&'d str, usize>,
     pub suggestions: Suggestions,
     /// Whether something was left out that may have held connections: a second `nodes`, a root of
@@ -29,9 +34,11 @@ pub(super) struct Draft<'d> {
     pub unresolved: Cell<bool>,
 }
 
-/// An interface parameter.
+/// An interface parameter, or a part of one.
 pub(super) struct DraftParameter<'d> {
+    /// Where it is declared; elements of an array share that.
     pub member: &'d Member,
+    pub name: String,
     /// None where the file does not say it understandably.
     pub value_type: Option<Type>,
     /// None where something of it is wrong.
@@ -49,7 +56,8 @@ pub(super) struct DraftNode<'d> {
 /// An input that is given.
 pub(super) struct DraftInput<'d> {
     pub member: &'d Member,
-    /// Position in the signature; none where it has no such input.
+    /// Position in the signature; none where it has no such input. Several have the same where it
+    /// takes a list.
     pub input: Option<usize>,
     pub source: Source<'d>,
 }
@@ -84,8 +92,10 @@ pub(super) enum SourceKind {
     Broken,
     /// A literal; whether it suits is seen when the type is known.
     Literal,
-    /// An interface parameter.
+    /// An interface parameter, or a part of one.
     Parameter(usize),
+    /// An array or a struct of the interface.
+    Compound(usize),
     /// An output of a node; none where it is not known which.
     Node(usize, Option<usize>),
 }

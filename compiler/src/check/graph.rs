@@ -11,11 +11,10 @@ use crate::nodes::NodeLibrary;
 
 use super::draft::{Draft, Suggestions};
 use super::intervals::Intervals;
-use super::nested::{Files, Nest, OnDisk};
-use super::requirements::Requirements;
+use super::nested::{Files, Nest, Nested, OnDisk};
 use super::{
     bind_inputs, cycles, dead_inputs, expand, hazards, interface, light_loops, nodes, ranges,
-    reach, requirements, roots, stations, types,
+    reach, requirements, roots, stations, textures, types,
 };
 
 /// Most nodes a graph may have.
@@ -70,7 +69,7 @@ pub fn check_graph(document: &Document, library: &NodeLibrary) -> Checked {
 pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn Files) -> Checked {
     let mut nest = Nest::new(library, files, document);
     let mut reader = Reader::new(document);
-    let graph = check(&mut reader, &mut nest).map(|(graph, _)| graph);
+    let graph = check(&mut reader, &mut nest).map(|checked| checked.graph);
     // What is wrong in the files it uses follows what is wrong in itself.
     for finding in nest.into_findings() {
         reader.findings.push(finding);
@@ -79,10 +78,7 @@ pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn 
 }
 
 /// Checks a phenomenon; the graph has no nested phenomena any more.
-pub(super) fn check<'d>(
-    reader: &mut Reader<'d>,
-    nest: &mut Nest<'_>,
-) -> Option<(Graph, Requirements)> {
+pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<Nested> {
     let root = &reader.document.root;
     if !is_graph(reader, root) {
         return None;
@@ -108,6 +104,8 @@ pub(super) fn check<'d>(
         nodes: Vec::new(),
         roots: Vec::new(),
         parameter_names: HashMap::new(),
+        compounds: Vec::new(),
+        compound_names: HashMap::new(),
         node_names: HashMap::new(),
         suggestions: Suggestions::default(),
         unresolved: Cell::new(reader.findings.has_errors()),
@@ -124,9 +122,10 @@ pub(super) fn check<'d>(
     stations::check(reader, &draft);
     reach::check(reader, &draft);
     let intervals = Intervals::of(&draft, &nodes, &order);
-    ranges::check(reader, &draft, &nodes, &intervals);
-    hazards::check(reader, &draft, &nodes, &intervals);
-    dead_inputs::check(reader, &draft, &nodes, &intervals);
+    ranges::check(reader, &draft, &intervals);
+    hazards::check(reader, &draft, &intervals);
+    dead_inputs::check(reader, &draft, &intervals);
+    textures::check(reader, nest.files());
     let graph = Graph {
         name: name.unwrap_or_default().to_owned(),
         doc: doc.unwrap_or_default().to_owned(),
@@ -142,11 +141,12 @@ pub(super) fn check<'d>(
     if draft.phenomena.values().any(Option::is_none) || reader.findings.has_errors() {
         return None;
     }
-    if draft.nested.is_empty() {
-        return Some((graph, requirements));
-    }
-    let graph = expand::expand(reader, &draft, graph)?;
-    Some((graph, requirements))
+    let graph = match draft.nested.is_empty() {
+        true => graph,
+        false => expand::expand(reader, &draft, graph)?,
+    };
+    let shapes = draft.compounds.into_iter().filter(|(name, _)| !name.contains(['.', '[']));
+    Some(Nested { graph, requirements, shapes: shapes.collect() })
 }
 
 /// Whether the document is meant as a graph; a finding if not.

@@ -5,19 +5,13 @@ use std::ops::RangeInclusive;
 
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, ValueKind, shortened, shown};
-use crate::graph::Node;
-use crate::nodes::{Avoid, FINITE, Type};
+use crate::nodes::{Avoid, FINITE};
 
 use super::draft::{Draft, DraftInput, SourceKind};
 use super::intervals::{Intervals, Reached, described};
 
 /// Reports inputs where a hazard arrives, or may.
-pub(super) fn check(
-    reader: &mut Reader<'_>,
-    draft: &Draft<'_>,
-    nodes: &[Node],
-    intervals: &Intervals,
-) {
+pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Intervals<'_>) {
     for (at, drafted) in draft.nodes.iter().enumerate() {
         let Some(node_type) = drafted.node_type else { continue };
         let signature = draft.library.signature(node_type);
@@ -29,7 +23,7 @@ pub(super) fn check(
             if !holds(&declared.range, avoid) {
                 continue;
             }
-            let place = Arrival { draft, nodes, intervals, node: at, input, given };
+            let place = Arrival { draft, intervals, node: at, input, given };
             let Some(arriving) = place.hazard(avoid) else { continue };
             let (of, name) = (shortened(draft.name(at)), signature.name);
             let (does, convention) = match avoid {
@@ -50,8 +44,7 @@ pub(super) fn check(
 /// What arrives at an input that is given.
 struct Arrival<'a, 'd> {
     draft: &'a Draft<'d>,
-    nodes: &'a [Node],
-    intervals: &'a Intervals,
+    intervals: &'a Intervals<'a>,
     node: usize,
     input: usize,
     given: &'a DraftInput<'d>,
@@ -73,7 +66,7 @@ impl Arrival<'_, '_> {
                     .then(|| format!("{}: parameter `{name}` is {range}", may_be(avoid)))
             }
             SourceKind::Node(node, Some(output)) => self.computed(avoid, node, output),
-            SourceKind::Node(_, None) | SourceKind::Broken => None,
+            SourceKind::Node(_, None) | SourceKind::Compound(_) | SourceKind::Broken => None,
         }
     }
 
@@ -106,7 +99,7 @@ impl Arrival<'_, '_> {
         Some(match (reached.varies(), word.sources) {
             (true, _) => format!("{}: {of} is {}", may_be(avoid), described(low, high)),
             (false, 0) => format!("is {}, output `{}` of node `{name}`", low + 0.0, output.name),
-            (false, _) if output.value_type != Type::Boolean && output.range != FINITE => {
+            (false, _) if output.value_type.is_numeric() && output.range != FINITE => {
                 format!("{}: {of} is {}", may_be(avoid), shown(&output.range))
             }
             (false, _) => format!("{}: {of} comes to be {}", may_be(avoid), low + 0.0),
@@ -114,7 +107,7 @@ impl Arrival<'_, '_> {
     }
 
     fn words(&self) -> Vec<super::intervals::Value> {
-        self.intervals.arriving(self.draft, self.nodes, self.node, self.input)
+        self.intervals.arriving(self.draft, self.node, self.input)
     }
 }
 

@@ -3,11 +3,12 @@
 use std::ops::RangeInclusive;
 
 use crate::diagnostics::{Code, Finding};
-use crate::document::{Member, Object, Reader, Value, shortened, shown};
+use crate::document::{Member, Object, Reader, Value, ValueKind, shortened, shown};
 use crate::graph::Parameter;
 use crate::nodes::{FINITE, Literal, Type};
 
 use super::draft::{Draft, DraftParameter};
+use super::shapes::{MAX_PARTS, Shape, element_name, member_name, struct_literal};
 use super::{literals, nodes};
 
 /// The keys of a parameter with numbers.
@@ -18,16 +19,36 @@ const INTEGER_KEYS: [&str; 10] =
     ["type", "default", "min", "max", "soft_min", "soft_max", "unit", "doc", "editor", "values"];
 /// The keys of a parameter without an order.
 const PLAIN_KEYS: [&str; 4] = ["type", "default", "doc", "editor"];
+/// The keys of an array.
+const ARRAY_KEYS: [&str; 5] = ["type", "of", "default", "doc", "editor"];
+/// The keys of a struct.
+const STRUCT_KEYS: [&str; 5] = ["type", "members", "default", "doc", "editor"];
 
-/// The types a parameter may have.
-pub(super) const TYPES: [(&str, Type); 6] = [
-    ("scalar", Type::Scalar),
-    ("integer", Type::Integer),
-    ("boolean", Type::Boolean),
-    ("color", Type::Color),
-    ("vector", Type::Vector),
-    ("lights", Type::Lights),
-];
+/// What a declaration says its type is.
+#[derive(Clone, Copy)]
+enum Said {
+    One(Type),
+    Array,
+    Struct,
+}
+
+/// A declaration, before its default is looked at.
+enum Declared<'d> {
+    One(One<'d>),
+    Array { of: Box<Declared<'d>>, value: &'d Value },
+    Struct { members: Vec<(&'d Member, Declared<'d>)> },
+}
+
+/// The declaration of one value; none of what is wrong.
+struct One<'d> {
+    value: &'d Value,
+    value_type: Type,
+    doc: Option<String>,
+    unit: Option<String>,
+    labels: Option<Vec<String>>,
+    range: Option<RangeInclusive<f64>>,
+    soft_range: Option<RangeInclusive<f64>>,
+}
 
 /// Reads all parameters.
 pub(super) fn read<'d>(reader: &mut Reader<'d>, value: Option<&'d Value>, draft: &mut Draft<'d>) {
@@ -35,58 +56,265 @@ pub(super) fn read<'d>(reader: &mut Reader<'d>, value: Option<&'d Value>, draft:
     let Some(members) = reader.members(value, "`interface`") else { return };
     for member in members {
         nodes::check_key(reader, member, "the name of a parameter");
-        draft.parameter_names.insert(&member.key, draft.parameters.len());
-        let (value_type, parameter) = read_parameter(reader, member);
-        draft.parameters.push(DraftParameter { member, value_type, parameter });
+        let what = format!("parameter `{}`", shortened(&member.key));
+        let declared = declaration(reader, &member.value, &what, true);
+        let before = draft.parameters.len();
+        let shape = declared.and_then(|declared| {
+            let default = member.value.get("default");
+            let mut parts = Parts { reader, draft, member };
+            parts.add(&declared, default, member.key.clone())
+        });
+        match shape {
+            Some(Shape::One(_)) => {}
+            Some(shape) => {
+                let name = member.key.clone();
+                add_compounds(draft, name, shape);
+            }
+            // Whatever reads it has a reason not to be understood.
+            None => {
+                draft.parameters.truncate(before);
+                draft.parameter_names.retain(|_, at| *at < before);
+                push(draft, member, member.key.clone(), None, None);
+            }
+        }
     }
 }
 
-fn read_parameter<'d>(
-    reader: &mut Reader<'d>,
+/// Makes a compound and those within it known by name.
+fn add_compounds(draft: &mut Draft<'_>, name: String, shape: Shape) {
+    match &shape {
+        Shape::One(_) => return,
+        Shape::Array(elements) => {
+            for (at, element) in elements.iter().enumerate() {
+                add_compounds(draft, element_name(&name, at), element.clone());
+            }
+        }
+        Shape::Struct(members) => {
+            for (member, shape) in members {
+                add_compounds(draft, member_name(&name, member), shape.clone());
+            }
+        }
+    }
+    draft.compound_names.insert(name.clone(), draft.compounds.len());
+    draft.compounds.push((name, shape));
+}
+
+fn push<'d>(
+    draft: &mut Draft<'d>,
     member: &'d Member,
-) -> (Option<Type>, Option<Parameter>) {
-    let what = format!("parameter `{}`", shortened(&member.key));
-    let Some(object) = Object::unchecked(reader, &member.value, &what) else { return (None, None) };
-    let value_type = object
+    name: String,
+    value_type: Option<Type>,
+    parameter: Option<Parameter>,
+) {
+    draft.parameter_names.insert(name.clone(), draft.parameters.len());
+    draft.parameters.push(DraftParameter { member, name, value_type, parameter });
+}
+
+/// Reads a declaration; `top` is one that may have a default.
+fn declaration<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    what: &str,
+    top: bool,
+) -> Option<Declared<'d>> {
+    let object = Object::unchecked(reader, value, what)?;
+    let mut choices: Vec<(&str, Said)> = Type::ALL
+        .into_iter()
+        .map(|value_type| (value_type.name(), Said::One(value_type)))
+        .collect();
+    choices.extend([("array", Said::Array), ("struct", Said::Struct)]);
+    let said = object
         .required(reader, "type")
-        .and_then(|value| reader.choice(value, "the type of a parameter", &TYPES));
-    let keys: &[&str] = match value_type {
-        Some(Type::Boolean | Type::Lights) => &PLAIN_KEYS,
-        Some(Type::Scalar | Type::Color | Type::Vector) => &NUMERIC_KEYS,
-        _ => &INTEGER_KEYS,
+        .and_then(|value| reader.choice(value, "the type of a parameter", &choices));
+    let keys: &[&str] = match said {
+        Some(Said::Array) => &ARRAY_KEYS,
+        Some(Said::Struct) => &STRUCT_KEYS,
+        Some(Said::One(Type::Scalar | Type::Color | Type::Vector)) => &NUMERIC_KEYS,
+        Some(Said::One(Type::Integer)) | None => &INTEGER_KEYS,
+        Some(Said::One(_)) => &PLAIN_KEYS,
     };
-    reader.object(&member.value, &what, keys);
-    let doc = text(reader, &object, "doc");
-    let unit = text(reader, &object, "unit");
+    let keys: Vec<&str> = keys.iter().copied().filter(|key| top || *key != "default").collect();
+    reader.object(value, what, &keys);
+    match said {
+        Some(Said::One(value_type)) => one(reader, &object, value_type, what).map(Declared::One),
+        Some(Said::Array) => {
+            text(reader, &object, "doc");
+            let of = object.required(reader, "of")?;
+            let of = Box::new(declaration(reader, of, &format!("an element of {what}"), false)?);
+            Some(Declared::Array { of, value })
+        }
+        Some(Said::Struct) => {
+            text(reader, &object, "doc");
+            let given = object.required(reader, "members")?;
+            let mut members = Vec::new();
+            let mut complete = true;
+            for member in reader.members(given, "`members`")? {
+                nodes::check_key(reader, member, "the name of a member");
+                let what = format!("member `{}` of {what}", shortened(&member.key));
+                match declaration(reader, &member.value, &what, true) {
+                    Some(declared) => members.push((member, declared)),
+                    None => complete = false,
+                }
+            }
+            if members.is_empty() && complete {
+                let message = format!("{what} has no members, so it holds nothing");
+                reader.report(Code::EMPTY_RANGE, given, message, "declare at least one member");
+                return None;
+            }
+            complete.then_some(Declared::Struct { members })
+        }
+        None => {
+            // Its other keys are looked at as far as they can be.
+            one(reader, &object, Type::Integer, what);
+            None
+        }
+    }
+}
+
+fn one<'d>(
+    reader: &mut Reader<'d>,
+    object: &Object<'d>,
+    value_type: Type,
+    what: &str,
+) -> Option<One<'d>> {
+    let doc = text(reader, object, "doc");
+    let unit = text(reader, object, "unit");
     let labels = object.optional("values").and_then(|value| read_labels(reader, value));
     let range = match &labels {
         Some(labels) => Some(0.0..=(labels.len().saturating_sub(1)) as f64),
-        None => read_range(reader, &object, ("min", "max"), FINITE, &what),
+        None => read_range(reader, object, ("min", "max"), FINITE, what),
     };
     let outer = range.clone().unwrap_or(FINITE);
-    let soft_range = read_range(reader, &object, ("soft_min", "soft_max"), outer, &what);
-    let Some(value_type) = value_type else { return (None, None) };
-    let default = match object.optional("default") {
-        None if value_type == Type::Lights => Some(Literal::Lights(Vec::new())),
-        None => {
-            reader.missing(object.value, &what, "default");
-            None
+    let soft_range = read_range(reader, object, ("soft_min", "soft_max"), outer, what);
+    Some(One { value: object.value, value_type, doc, unit, labels, range, soft_range })
+}
+
+/// Adds the parts of a parameter to the draft.
+struct Parts<'p, 'd> {
+    reader: &'p mut Reader<'d>,
+    draft: &'p mut Draft<'d>,
+    /// The declaration findings point at.
+    member: &'d Member,
+}
+
+impl<'d> Parts<'_, 'd> {
+    /// Adds what is declared, with its default; none where the shape is not known.
+    fn add(
+        &mut self,
+        declared: &Declared<'d>,
+        default: Option<&'d Value>,
+        name: String,
+    ) -> Option<Shape> {
+        match declared {
+            Declared::One(one) => {
+                if self.draft.parameters.len() >= MAX_PARTS {
+                    return self.too_many(one.value);
+                }
+                let parameter = self.parameter(one, default, &name);
+                push(self.draft, self.member, name, Some(one.value_type), parameter);
+                Some(Shape::One(one.value_type))
+            }
+            Declared::Array { of, value } => self.array(of, value, default, &name),
+            Declared::Struct { members } => self.structure(members, default, &name),
         }
-        Some(value) => read_default(reader, value, value_type, range.as_ref(), labels.as_deref()),
-    };
-    let parameter = || {
+    }
+
+    fn too_many(&mut self, value: &Value) -> Option<Shape> {
+        let message = format!("the interface has more than {MAX_PARTS} parts in all");
+        let help = "give arrays fewer elements, or structs fewer members";
+        self.reader.report(Code::TOO_MANY_PARTS, value, message, help);
+        None
+    }
+
+    fn array(
+        &mut self,
+        of: &Declared<'d>,
+        value: &'d Value,
+        default: Option<&'d Value>,
+        name: &str,
+    ) -> Option<Shape> {
+        let Some(default) = default else {
+            self.reader.missing(value, &format!("array `{}`", shortened(name)), "default");
+            return None;
+        };
+        let elements = self.reader.list(default, "the default of an array")?;
+        if elements.is_empty() {
+            let message = "an array without elements holds nothing";
+            let help = "an array has the length its default has; give at least one value";
+            self.reader.report(Code::WRONG_LENGTH, default, message, help);
+            return None;
+        }
+        let mut shapes = Vec::with_capacity(elements.len());
+        for (at, element) in elements.iter().enumerate() {
+            shapes.push(self.add(of, Some(element), element_name(name, at))?);
+        }
+        Some(Shape::Array(shapes))
+    }
+
+    fn structure(
+        &mut self,
+        members: &[(&'d Member, Declared<'d>)],
+        default: Option<&'d Value>,
+        name: &str,
+    ) -> Option<Shape> {
+        let mut given = Vec::new();
+        if let Some(value) = default {
+            let Some(literal) = struct_literal(value) else {
+                let what = "the default of a struct";
+                let expected = "`{ \"struct\": { … } }`";
+                self.reader.wrong_kind(value, what, expected);
+                return None;
+            };
+            self.reader.object(value, "a struct", &["struct"]);
+            let names: Vec<&str> = members.iter().map(|(member, _)| member.key.as_str()).collect();
+            self.reader.object(literal, "the struct", &names)?;
+            given = literal.members().iter().collect();
+        }
+        let mut shapes = Vec::with_capacity(members.len());
+        let outer = self.member;
+        for (member, declared) in members {
+            let given = given.iter().find(|given| given.key == member.key);
+            let default = given.map(|given| &given.value).or(member.value.get("default"));
+            self.member = member;
+            let shape = self.add(declared, default, member_name(name, &member.key));
+            self.member = outer;
+            shapes.push((member.key.clone(), shape?));
+        }
+        Some(Shape::Struct(shapes))
+    }
+
+    /// The parameter of one value; none where something of it is wrong.
+    fn parameter(
+        &mut self,
+        one: &One<'d>,
+        default: Option<&'d Value>,
+        name: &str,
+    ) -> Option<Parameter> {
+        let default = match (default, one.value_type) {
+            (None, Type::Lights) => Some(Literal::Lights(Vec::new())),
+            (None, Type::Texture) => Some(Literal::Texture(None)),
+            (None, Type::Shader) => Some(Literal::NoShader),
+            (None, _) => {
+                let what = format!("parameter `{}`", shortened(name));
+                self.reader.missing(one.value, &what, "default");
+                None
+            }
+            (Some(value), value_type) => {
+                let (range, labels) = (one.range.as_ref(), one.labels.as_deref());
+                read_default(self.reader, value, value_type, range, labels)
+            }
+        };
         Some(Parameter {
-            name: member.key.clone(),
-            doc: doc?,
-            value_type,
+            name: name.to_owned(),
+            doc: one.doc.clone()?,
+            value_type: one.value_type,
             default: default?,
-            range: range?,
-            soft_range: soft_range?,
-            unit: unit?,
-            labels: labels.unwrap_or_default(),
+            range: one.range.clone()?,
+            soft_range: one.soft_range.clone()?,
+            unit: one.unit.clone()?,
+            labels: one.labels.clone().unwrap_or_default(),
         })
-    };
-    (Some(value_type), parameter())
+    }
 }
 
 fn text<'d>(reader: &mut Reader<'d>, object: &Object<'d>, key: &str) -> Option<String> {
@@ -149,7 +377,7 @@ fn read_default<'d>(
     range: Option<&RangeInclusive<f64>>,
     labels: Option<&[String]>,
 ) -> Option<Literal> {
-    if let (Some(labels), crate::document::ValueKind::String(_)) = (labels, &value.kind) {
+    if let (Some(labels), ValueKind::String(_)) = (labels, &value.kind) {
         let choices: Vec<(&str, i32)> =
             labels.iter().enumerate().map(|(at, label)| (label.as_str(), at as i32)).collect();
         return reader.choice(value, "`default`", &choices).map(Literal::Integer);
@@ -163,7 +391,7 @@ fn read_default<'d>(
         Literal::Scalar(x) => !inside(*x),
         Literal::Vector(vector) => vector.iter().any(|x| !inside(*x)),
         Literal::Color(color) => color[..3].iter().any(|x| !inside(*x)),
-        Literal::Boolean(_) | Literal::Lights(_) => false,
+        _ => false,
     };
     if !outside {
         return Some(literal);

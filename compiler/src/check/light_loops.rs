@@ -17,7 +17,7 @@ fn is_of_light(library: &NodeLibrary, node_type: NodeType, output: Option<usize>
             None => false,
         },
         Kind::Request(effect) => effect.reads().iter().any(|field| field.is_of_light()),
-        Kind::Plain | Kind::Scope(_) | Kind::LightLoop => false,
+        Kind::Plain | Kind::Scope(_) | Kind::LightLoop | Kind::List(_) => false,
     }
 }
 

@@ -1,8 +1,11 @@
 //! Literals, once it is known what type they must be.
 
+use std::path::{Path, PathBuf};
+
 use crate::diagnostics::Code;
 use crate::document::{Reader, Value, ValueKind};
-use crate::nodes::{Literal, Type};
+use crate::graph::bind::is_affine;
+use crate::nodes::{Literal, Space, Texture, Type};
 
 /// The type a literal has by itself: a number is a scalar, a list of three or four a color. None
 /// for what can only suit one type of place.
@@ -26,8 +29,21 @@ pub(super) fn read<'d>(
 ) -> Option<Literal> {
     match (to, &value.kind) {
         (Type::Lights, ValueKind::Array(elements)) => lights(reader, elements),
+        (Type::Light, ValueKind::Object(_)) if value.get("light").is_some() => {
+            light(reader, value).map(Literal::Light)
+        }
+        (Type::Texture, ValueKind::Object(_)) if value.get("texture").is_some() => {
+            texture(reader, value).map(|texture| Literal::Texture(Some(texture)))
+        }
+        (Type::Texture, ValueKind::Null) => Some(Literal::Texture(None)),
+        (Type::Shader, ValueKind::Null) => Some(Literal::NoShader),
+        (Type::String, ValueKind::String(text)) => Some(Literal::String(text.clone())),
+        (Type::Transform, ValueKind::Array(elements)) if elements.len() == 16 => {
+            transform(reader, value, elements, what)
+        }
         (_, ValueKind::Array(elements))
-            if elements.iter().any(|element| matches!(element.kind, ValueKind::Object(_))) =>
+            if to.is_numeric()
+                && elements.iter().any(|element| matches!(element.kind, ValueKind::Object(_))) =>
         {
             let message =
                 format!("{} takes {}, not a list of connections", what(), with_article(to));
@@ -95,16 +111,55 @@ fn lights<'d>(reader: &mut Reader<'d>, elements: &'d [Value]) -> Option<Literal>
     let mut names = Vec::with_capacity(elements.len());
     let mut complete = true;
     for element in elements {
-        let name = reader
-            .object(element, "a light", &["light"])
-            .and_then(|object| object.required(reader, "light"))
-            .and_then(|name| reader.string(name, "the name of a light"));
-        match name {
-            Some(name) => names.push(name.to_owned()),
+        match light(reader, element) {
+            Some(name) => names.push(name),
             None => complete = false,
         }
     }
     complete.then_some(Literal::Lights(names))
+}
+
+fn light<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<String> {
+    let object = reader.object(value, "a light", &["light"])?;
+    let name = object.required(reader, "light")?;
+    reader.string(name, "the name of a light").map(str::to_owned)
+}
+
+/// `{ "texture": "a.png", "space": "srgb" }`; the path is relative to the folder of the file.
+fn texture<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Texture> {
+    let object = reader.object(value, "a texture", &["texture", "space"])?;
+    let file = object.required(reader, "texture")?;
+    let space = match object.optional("space") {
+        None => None,
+        Some(space) => Some(reader.choice(space, "the space of a texture", &Space::ALL)?),
+    };
+    let file = reader.string(file, "the file of a texture")?;
+    let path = beside(&reader.document.file.name, file);
+    Some(Texture { space: space.unwrap_or(Space::of_file(file)), file: path.display().to_string() })
+}
+
+/// The path of a file that is named in another.
+pub(super) fn beside(document: &str, file: &str) -> PathBuf {
+    Path::new(document).parent().unwrap_or(Path::new("")).join(file)
+}
+
+fn transform<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    elements: &'d [Value],
+    what: &dyn Fn() -> String,
+) -> Option<Literal> {
+    let mut rows = [0.0; 16];
+    if !numbers(reader, elements, &mut rows, what) {
+        return None;
+    }
+    if !is_affine(&rows) {
+        let message = format!("{} takes an affine transform, and this one has perspective", what());
+        let help = "the last number of each row of four must be 0, and 1 in the last row";
+        reader.report(Code::TYPE_MISMATCH, value, message, help);
+        return None;
+    }
+    Some(Literal::Transform(rows))
 }
 
 fn mismatch(reader: &mut Reader<'_>, value: &Value, to: Type, what: &dyn Fn() -> String) {
@@ -115,11 +170,18 @@ fn mismatch(reader: &mut Reader<'_>, value: &Value, to: Type, what: &dyn Fn() ->
         Type::Scalar => "write a number",
         Type::Color => "write `[r, g, b]`, `[r, g, b, a]`, or one number for grey",
         Type::Vector => "write `[x, y, z]`",
+        Type::Transform => "write sixteen numbers, row by row: `[1, 0, 0, 0, …, 0, 0, 0, 1]`",
+        Type::String => "write a text between double quotes",
+        Type::Texture => "write `{ \"texture\": \"file.png\" }`, or `null` for none",
+        Type::Light => "write `{ \"light\": \"key\" }`",
+        Type::Shader => "connect a node, or write `null` for none",
         Type::Lights => "write a list such as `[{ \"light\": \"key\" }]`",
         Type::Generic => "write a number, `[x, y, z]` or `[r, g, b, a]`",
     };
     let help = match &value.kind {
-        ValueKind::String(_) => format!("{form}, or a connection: {{ \"node\": \"name\" }}"),
+        ValueKind::String(_) if to != Type::Shader => {
+            format!("{form}, or a connection: {{ \"node\": \"name\" }}")
+        }
         _ => form.to_owned(),
     };
     reader.report(Code::TYPE_MISMATCH, value, message, help);

@@ -32,7 +32,7 @@ pub(super) fn report(
 fn describe(draft: &Draft<'_>, source: &Source<'_>) -> (String, String) {
     match source.kind {
         SourceKind::Parameter(parameter) => {
-            let name = shortened(&draft.parameters[parameter].member.key);
+            let name = shortened(&draft.parameters[parameter].name);
             (format!("parameter `{name}`"), name)
         }
         SourceKind::Node(node, Some(output)) => {

@@ -15,6 +15,7 @@ use crate::nodes::{
 use super::draft::Draft;
 use super::graph::check;
 use super::requirements::Requirements;
+use super::shapes::Shape;
 
 /// Most files within one another.
 pub const MAX_FILE_DEPTH: usize = 32;
@@ -29,6 +30,9 @@ pub trait Files {
 
     /// The one path of a file that is reached by several.
     fn identity(&self, path: &Path) -> PathBuf;
+
+    /// Why a file that is used as it is, such as a picture, cannot be opened; none where it can.
+    fn unusable(&self, path: &Path) -> Option<String>;
 }
 
 /// Files on disk.
@@ -43,6 +47,14 @@ impl Files for OnDisk {
     fn identity(&self, path: &Path) -> PathBuf {
         std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
     }
+
+    fn unusable(&self, path: &Path) -> Option<String> {
+        match std::fs::metadata(path) {
+            Ok(metadata) if metadata.is_dir() => Some("it is a folder".into()),
+            Ok(_) => std::fs::File::open(path).err().map(|error| error.to_string()),
+            Err(error) => Some(error.to_string()),
+        }
+    }
 }
 
 /// A phenomenon that others use.
@@ -51,6 +63,8 @@ pub(super) struct Nested {
     pub graph: Graph,
     /// What it requires, by itself and through what it uses.
     pub requirements: Requirements,
+    /// The arrays and structs among its parameters.
+    pub shapes: Vec<(String, Shape)>,
 }
 
 impl Nested {
@@ -79,6 +93,11 @@ impl<'n> Nest<'n> {
         let name = document.file.name.clone();
         let stack = vec![(files.identity(Path::new(&name)), name, None)];
         Self { library, files, read: HashMap::new(), stack, findings: Findings::default() }
+    }
+
+    /// Where files come from.
+    pub fn files(&self) -> &'n dyn Files {
+        self.files
     }
 
     /// What was found in nested files.
@@ -173,8 +192,7 @@ impl<'n> Nest<'n> {
         for finding in reader.findings.into_sorted() {
             self.findings.push(finding);
         }
-        let (graph, requirements) = checked.filter(|_| usable)?;
-        Some(Rc::new(Nested { graph, requirements }))
+        checked.filter(|_| usable).map(Rc::new)
     }
 
     fn recursion(&self, start: usize, place: Place) -> Finding {
@@ -219,6 +237,7 @@ fn definition(path: &str, nested: &Nested) -> Definition {
             avoid: None,
             guarded: false,
             scoped: false,
+            list: false,
         })
         .collect();
     let output =

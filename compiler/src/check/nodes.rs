@@ -6,6 +6,7 @@ use crate::nodes::NodeType;
 
 use super::MAX_NODES;
 use super::draft::{Draft, DraftInput, DraftNode};
+use super::shapes::{self, Shape};
 use super::{nested, sources};
 
 /// The keys of a node.
@@ -158,6 +159,12 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
     found
 }
 
+/// The array or struct an input of a phenomenon is.
+fn shape_of<'a>(draft: &'a Draft<'_>, node: usize, member: &Member) -> Option<&'a Shape> {
+    let nested = draft.nested.get(&draft.nodes[node].node_type?)?;
+    nested.shapes.iter().find(|(name, _)| *name == member.key).map(|(_, shape)| shape)
+}
+
 fn read_inputs<'d>(
     reader: &mut Reader<'d>,
     value: &'d Value,
@@ -169,6 +176,30 @@ fn read_inputs<'d>(
     let mut inputs = Vec::new();
     for member in members {
         let input = signature.and_then(|signature| signature.input(&member.key));
+        let what = || {
+            let kind = signature.map_or("", |signature| signature.name);
+            let of = shortened(draft.name(node));
+            format!("input `{}` of node `{of}` ({kind})", shortened(&member.key))
+        };
+        if let (Some(at), Some(signature)) = (input, signature)
+            && signature.inputs[at].list
+        {
+            let values = shapes::list(reader, draft, &member.value, &what());
+            inputs.extend(values.into_iter().map(|source| DraftInput { member, input, source }));
+            continue;
+        }
+        if let (None, Some(signature), Some(shape)) =
+            (input, signature, shape_of(draft, node, member))
+        {
+            let mut parts = Vec::new();
+            let given = (&member.value, member.key.as_str());
+            shapes::spread(reader, draft, shape, given, &what(), &mut parts);
+            inputs.extend(parts.into_iter().map(|(part, source)| {
+                let input = signature.input(&part);
+                DraftInput { member, input, source }
+            }));
+            continue;
+        }
         if let Some(signature) = signature
             && input.is_none()
         {

@@ -5,8 +5,7 @@ use std::ops::RangeInclusive;
 
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, Value, ValueKind, shortened, shown};
-use crate::graph::Node;
-use crate::nodes::{FINITE, Input, Literal, Type};
+use crate::nodes::{FINITE, Input, Literal};
 
 use super::draft::{Draft, SourceKind};
 use super::intervals::{Intervals, Value as Known, described};
@@ -15,19 +14,14 @@ use super::intervals::{Intervals, Value as Known, described};
 const ROUNDING: f64 = 1e-6;
 
 /// Reports what arrives at inputs from outside their declared range.
-pub(super) fn check(
-    reader: &mut Reader<'_>,
-    draft: &Draft<'_>,
-    nodes: &[Node],
-    intervals: &Intervals,
-) {
+pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Intervals<'_>) {
     for (node, drafted) in draft.nodes.iter().enumerate() {
         let Some(node_type) = drafted.node_type else { continue };
         let signature = draft.library.signature(node_type);
         for given in &drafted.inputs {
             let Some(at) = given.input else { continue };
             let input = &signature.inputs[at];
-            if input.range == FINITE || input.value_type == Type::Lights {
+            if input.range == FINITE || !input.value_type.is_numeric() {
                 continue;
             }
             let what = || {
@@ -44,14 +38,14 @@ pub(super) fn check(
                     literal(reader, given.source.value, input, code, &what);
                 }
                 SourceKind::Parameter(parameter) => {
-                    let words = intervals.arriving(draft, nodes, node, at);
+                    let words = intervals.arriving(draft, node, at);
                     let sources = words.iter().fold(0, |sources, word| sources | word.sources);
                     if intervals.holds_at(node, at, sources) {
                         self::parameter(reader, draft, parameter, given.source.value, input, &what);
                     }
                 }
                 SourceKind::Node(source, Some(output)) => {
-                    let words = intervals.arriving(draft, nodes, node, at);
+                    let words = intervals.arriving(draft, node, at);
                     let holds = |word: &Known| intervals.holds_at(node, at, word.sources);
                     let left = words.iter().take(3).find(|word| leaves(word, input) && holds(word));
                     if let Some(left) = left {
@@ -59,7 +53,7 @@ pub(super) fn check(
                         computed(reader, draft, source, left, given.source.value, input, &what);
                     }
                 }
-                SourceKind::Node(_, None) | SourceKind::Broken => {}
+                SourceKind::Node(_, None) | SourceKind::Compound(_) | SourceKind::Broken => {}
             }
         }
     }

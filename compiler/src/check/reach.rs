@@ -1,5 +1,7 @@
 //! Nodes no root reaches, and parameters nothing reads.
 
+use std::collections::HashSet;
+
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, Value, ValueKind, shortened};
 
@@ -32,9 +34,14 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
             used[parameter] = true;
         }
     }
-    for (parameter, used) in draft.parameters.iter().zip(used) {
-        if !used {
-            let name = shortened(&parameter.member.key);
+    // The elements of an array share a declaration: reading one of them reads it.
+    let declared = |at: usize| draft.parameters[at].member.key_start;
+    let read: HashSet<usize> = (0..used.len()).filter(|at| used[*at]).map(declared).collect();
+    let mut told = HashSet::new();
+    for (at, parameter) in draft.parameters.iter().enumerate() {
+        if !read.contains(&declared(at)) && told.insert(declared(at)) {
+            let name = parameter.name.split('[').next().unwrap_or_default();
+            let name = shortened(name);
             let place = reader.document.place_of_key(parameter.member);
             let message = format!("nothing reads parameter `{name}`");
             let help = format!("connect it with `{{ \"interface\": \"{name}\" }}`, or remove it");

@@ -12,15 +12,15 @@ pub(super) fn read<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<
     let kind = match &value.kind {
         ValueKind::Object(_) if value.get("node").is_some() => connection(reader, value, draft),
         ValueKind::Object(_) if value.get("interface").is_some() => parameter(reader, value, draft),
+        ValueKind::Object(_) if value.get("texture").is_some() || value.get("light").is_some() => {
+            SourceKind::Literal
+        }
         ValueKind::Object(_) => {
             no_connection(reader, value);
             SourceKind::Broken
         }
-        ValueKind::Null => {
-            reader.wrong_kind(value, "an input", "a literal or a connection");
-            SourceKind::Broken
-        }
-        ValueKind::Boolean(_)
+        ValueKind::Null
+        | ValueKind::Boolean(_)
         | ValueKind::Number(_)
         | ValueKind::String(_)
         | ValueKind::Array(_) => SourceKind::Literal,
@@ -30,16 +30,16 @@ pub(super) fn read<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<
 
 /// An object without `node` and `interface`: a misspelt one is one mistake.
 fn no_connection(reader: &mut Reader<'_>, value: &Value) {
-    if value.get("texture").is_some() || value.get("file").is_some() {
-        let message = "textures cannot be read yet";
-        reader.report(Code::WRONG_KIND, value, message, HELP);
+    if super::shapes::struct_literal(value).is_some() {
+        let message = "no struct is taken here";
+        reader.report(Code::TYPE_MISMATCH, value, message, "give one value or a connection");
         return;
     }
-    let keys = ["node", "output", "interface"];
+    let keys = ["node", "output", "interface", "texture", "light", "struct"];
     let misspelt =
         value.members().iter().find(|member| crate::document::nearest(&member.key, keys).is_some());
     match misspelt.or(value.members().first()) {
-        Some(member) => reader.unknown_key(member, "a connection", &keys),
+        Some(member) => reader.unknown_key(member, "a connection", &keys[..3]),
         None => reader.report(Code::WRONG_KIND, value, "an empty object connects nothing", HELP),
     }
 }
@@ -112,7 +112,17 @@ fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
     if let Some(&parameter) = draft.parameter_names.get(name) {
         return SourceKind::Parameter(parameter);
     }
-    let names = || draft.parameters.iter().map(|parameter| parameter.member.key.as_str());
+    if let Some(&compound) = draft.compound_names.get(name) {
+        return SourceKind::Compound(compound);
+    }
+    let whole = name.split(['.', '[']).next().unwrap_or(name);
+    if let Some(&parameter) = draft.parameter_names.get(whole)
+        && draft.parameters[parameter].value_type.is_none()
+    {
+        // The declaration made a finding, so its parts are not known.
+        return SourceKind::Parameter(parameter);
+    }
+    let names = || draft.parameters.iter().map(|parameter| parameter.name.as_str());
     let near = draft.suggestions.nearest(name, names());
     let help = match near {
         Some(near) => near.help(),
@@ -127,7 +137,15 @@ fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
         }
         None => format!("its parameters are {}", listed(names())),
     };
-    let message = format!("the interface has no parameter `{}`", shortened(name));
+    let message = match draft.compound_names.get(whole) {
+        Some(&at) if whole != name => format!(
+            "parameter `{}` has no part `{}`: it is {}",
+            shortened(whole),
+            shortened(name.strip_prefix(whole).unwrap_or(name).trim_start_matches('.')),
+            draft.compounds[at].1.describe()
+        ),
+        _ => format!("the interface has no parameter `{}`", shortened(name)),
+    };
     let place = reader.document.place(given);
     let mut finding = Finding::new(Code::UNKNOWN_PARAMETER, place, message, help);
     finding.fix = near.and_then(|near| near.fix());

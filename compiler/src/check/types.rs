@@ -28,7 +28,10 @@ impl Types {
                     known => Some(known),
                 }
             }
-            SourceKind::Node(_, None) | SourceKind::Literal | SourceKind::Broken => None,
+            SourceKind::Node(_, None)
+            | SourceKind::Literal
+            | SourceKind::Compound(_)
+            | SourceKind::Broken => None,
         }
     }
 }
@@ -79,7 +82,7 @@ fn resolve_node(
         };
         match arriving {
             Some(Type::Vector) => vector = true,
-            Some(Type::Boolean | Type::Lights) => {}
+            Some(found) if !found.is_numeric() => {}
             Some(found) => widest = Some(widest.map_or(found, |so_far| wider(so_far, found))),
             None => unknown = true,
         }

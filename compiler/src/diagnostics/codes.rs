@@ -183,6 +183,13 @@ codes! {
     TOO_MANY_NODES "too-many-nodes" Error "A graph past the size limit",
         "The number of nodes is limited, those of nested phenomena included.",
         wrong "", right "";
+    TOO_MANY_PARTS "too-many-parts" Error "An interface past the size limit",
+        "Arrays and structs are taken apart: each part is a parameter of its own. An interface may have 65,536 of them in all.",
+        wrong "\"default\": [0, 0, … 100,000 numbers … 0]", right "\"default\": [0, 0, … 100 numbers … 0]";
+    WRONG_LENGTH "wrong-length" Error "A list of the wrong length",
+        "An array has the length its default has, so that every part of it is known before anything is evaluated. Where it is given, there must be as many values. A list with nothing in it has no value at all.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "sum", "inputs": { "values": [] } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "sum", "inputs": { "values": [0.25, 0.5] } } }, "roots": { "material": { "node": "n" } } }"#;
     UNREACHABLE_NODE "unreachable-node" Warning "A node no root reaches",
         "No root reads the node, directly or through others, so it is never evaluated. Only the last node of an unused part is reported.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": 1 } }"#,

@@ -18,8 +18,8 @@ mod words;
 
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
-pub use shapes::{Color, Components, One, Vector};
-pub use words::{Sink, Words, read_color, read_vector, write_color, write_vector};
+pub use shapes::{Color, Components, One, Transform, Vector};
+pub use words::{Sink, Words, read_color, read_transform, read_vector, write_color, write_vector};
 
 /// A back end: makes constants, from which [`Real`], [`Int`] and [`Mask`] values are computed.
 pub trait Emit: Copy {

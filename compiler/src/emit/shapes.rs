@@ -36,6 +36,19 @@ pub struct Color<R> {
     pub a: R,
 }
 
+/// An affine map of points written as rows: `p.x x + p.y y + p.z z + translation`.
+#[derive(Clone, Copy, Debug)]
+pub struct Transform<R> {
+    /// Where the first axis goes.
+    pub x: Vector<R>,
+    /// Where the second axis goes.
+    pub y: Vector<R>,
+    /// Where the third axis goes.
+    pub z: Vector<R>,
+    /// Where the origin goes.
+    pub translation: Vector<R>,
+}
+
 /// What a generic node (add, multiply, clamp …) may do with its operands, component by component.
 pub trait Components<R: Real>:
     Copy
@@ -194,5 +207,34 @@ impl<R: Real> Vector<R> {
         let quotient = Self { x: self.x / inside, y: self.y / inside, z: self.z / inside };
         let none = Self { x: zero, y: zero, z: zero };
         super::Mask::select(divisor.greater(zero), quotient, none)
+    }
+}
+
+impl<R: Real> Transform<R> {
+    /// Where a point goes: `fma(p.x, x, fma(p.y, y, fma(p.z, z, translation)))`.
+    #[inline(always)]
+    pub fn point(self, point: Vector<R>) -> Vector<R> {
+        let third = self.z.mul_add(point.z, self.translation);
+        self.x.mul_add(point.x, self.y.mul_add(point.y, third))
+    }
+
+    /// Where a vector goes, which the translation leaves alone: `fma(v.x, x, fma(v.y, y, v.z z))`.
+    #[inline(always)]
+    pub fn vector(self, vector: Vector<R>) -> Vector<R> {
+        self.x.mul_add(vector.x, self.y.mul_add(vector.y, self.z * vector.z))
+    }
+
+    /// Where a normal points, at unit length: by the cofactors, which stand for the inverse transposed
+    /// without dividing by the determinant; only its sign is needed. The rows are scaled first, so that
+    /// cofactors of tiny and huge maps neither vanish nor overflow.
+    #[inline(always)]
+    pub fn normal(self, normal: Vector<R>) -> Vector<R> {
+        let largest = self.x.largest().maximum(self.y.largest()).maximum(self.z.largest());
+        let (x, y, z) =
+            (self.x.divided_by(largest), self.y.divided_by(largest), self.z.divided_by(largest));
+        let (of_x, of_y, of_z) = (y.cross(z), z.cross(x), x.cross(y));
+        let mirrors = x.dot(of_x).less(normal.x.same(0.0));
+        let turned = of_x.mul_add(normal.x, of_y.mul_add(normal.y, of_z * normal.z));
+        super::Mask::select(mirrors, -turned, turned).normalized()
     }
 }

@@ -1,6 +1,6 @@
 //! How typed values lie in 32-bit words, the one storage all engines share.
 
-use super::{Color, Emit, Vector};
+use super::{Color, Emit, Transform, Vector};
 
 /// Words a body reads: one source per 32-bit word.
 pub trait Words<E: Emit> {
@@ -36,6 +36,17 @@ pub fn read_color<E: Emit>(words: &impl Words<E>, index: usize) -> Color<E::Real
         g: words.real(index + 1),
         b: words.real(index + 2),
         a: words.real(index + 3),
+    }
+}
+
+/// Reads four rows of four numbers from `index` on.
+#[inline(always)]
+pub fn read_transform<E: Emit>(words: &impl Words<E>, index: usize) -> Transform<E::Real> {
+    Transform {
+        x: read_vector::<E>(words, index),
+        y: read_vector::<E>(words, index + 4),
+        z: read_vector::<E>(words, index + 8),
+        translation: read_vector::<E>(words, index + 12),
     }
 }
 

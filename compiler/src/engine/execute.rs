@@ -1,13 +1,13 @@
 //! Runs a schedule over a batch of points: the one executor batch and jit share. They differ in how
 //! a segment is run.
 
-use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId};
 use crate::schedule::{Item, Loop, RegionId, Request, Schedule};
 use crate::specialise::Context;
 use crate::state::State;
 
 use super::lanes::{LANES, Lanes, Source};
-use super::walk::{answer_words, iteration_key, ray};
+use super::walk::{answer_words, iteration_key, ray, texture_words};
 use super::{Shaded, batch::Runner};
 
 /// Bytes of slots a batch may fill; larger programs run fewer points at once.
@@ -75,10 +75,20 @@ impl Program<'_> {
         let chunk = most.min(self.batch.max(1));
         let lists: Vec<LightList> =
             self.schedule.light_lists.iter().map(|names| renderer.light_list(names)).collect();
+        let textures: Vec<TextureId> =
+            self.schedule.textures.iter().map(|texture| renderer.texture(texture)).collect();
         for (points, results) in points.chunks(chunk).zip(results.chunks_mut(chunk)) {
             let blocks = points.len().div_ceil(LANES);
             memory.fit(self, blocks);
-            let mut run = Run { program: self, points, blocks, lists: &lists, renderer, memory };
+            let mut run = Run {
+                program: self,
+                points,
+                blocks,
+                lists: &lists,
+                textures: &textures,
+                renderer,
+                memory,
+            };
             run.load();
             run.regions();
             run.store(results);
@@ -119,6 +129,7 @@ struct Run<'a> {
     points: &'a [State],
     blocks: usize,
     lists: &'a [LightList],
+    textures: &'a [TextureId],
     renderer: &'a mut dyn Renderer,
     memory: &'a mut Memory,
 }
@@ -268,8 +279,10 @@ impl Run<'_> {
     }
 
     fn request(&mut self, request: &Request) {
-        if request.effect == Effect::LightColor {
-            return self.light_color(request);
+        match request.effect {
+            Effect::LightColor => return self.light_color(request),
+            Effect::ReadTexture => return self.read_texture(request),
+            _ => {}
         }
         let site = request.loops.iter().fold(request.site, |key, &at| {
             iteration_key(key, self.memory.iterations[at].wrapping_sub(1))
@@ -296,6 +309,22 @@ impl Run<'_> {
         self.memory.rays = rays;
         self.memory.chosen = chosen;
         self.memory.answers = answers;
+    }
+
+    fn read_texture(&mut self, request: &Request) {
+        let Some(texture) = request.texture.map(|at| self.textures[at]) else { return };
+        let chosen = std::mem::take(&mut self.memory.chosen);
+        let coordinate = |at: usize, point| f32::from_bits(self.word(request.words[at], point));
+        let coordinates: Vec<[f32; 2]> =
+            chosen.iter().map(|&point| [coordinate(0, point), coordinate(1, point)]).collect();
+        let mut colors = vec![None; coordinates.len()];
+        self.renderer.read_texture(texture, &coordinates, &mut colors);
+        for (&point, color) in chosen.iter().zip(&colors) {
+            for (slot, word) in (request.output..).zip(texture_words(*color)) {
+                self.set(slot, point, word);
+            }
+        }
+        self.memory.chosen = chosen;
     }
 
     /// Asks for the colours of a light sample that are not known yet, and hands out all.

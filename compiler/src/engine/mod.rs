@@ -15,6 +15,7 @@ use std::collections::BTreeSet;
 
 use crate::effects::{Effect, Renderer};
 use crate::graph::RootKind;
+use crate::nodes::Texture;
 use crate::state::State;
 
 /// What shading a point yields.
@@ -33,6 +34,11 @@ pub trait Shade: Send + Sync {
 
     /// The effects a root may ask for; the renderer need not provide others.
     fn effects(&self, root: RootKind) -> BTreeSet<Effect>;
+
+    /// The textures it may read, whatever the root: a renderer opens them before it renders.
+    fn textures(&self) -> BTreeSet<Texture> {
+        BTreeSet::new()
+    }
 
     /// Shades `points`, all of one ray type, and writes one result each. Requests go to `renderer`,
     /// which may call back into this or other shaders before it answers.

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use crate::effects::{Effect, Renderer};
 use crate::graph::{Graph, Root, RootKind};
-use crate::nodes::{Literal, NodeLibrary};
+use crate::nodes::{Literal, NodeLibrary, Texture};
 use crate::schedule::{Schedule, schedule};
 use crate::specialise::{InstanceKind, SpecialiseError, Specialised, Uniforms, expand};
 use crate::state::{RayType, State};
@@ -126,7 +126,7 @@ impl Shader {
         self.take(name, value)?;
         let values = &self.values;
         // Light lists are part of the code.
-        let in_code = matches!(value, Literal::Lights(_));
+        let in_code = value.value_type().is_in_code();
         if !in_code && self.programs.iter_mut().all(|program| program.uniforms.rebind(values)) {
             return Ok(());
         }
@@ -269,6 +269,11 @@ impl Shade for Shader {
                 InstanceKind::Plain(_) | InstanceKind::Loop { .. } => None,
             })
             .collect()
+    }
+
+    fn textures(&self) -> BTreeSet<Texture> {
+        let programs = self.programs.iter();
+        programs.flat_map(|program| program.code.specialised.textures.iter().cloned()).collect()
     }
 
     fn shade(

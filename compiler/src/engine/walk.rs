@@ -5,7 +5,7 @@
 //! Instances stand on an explicit stack, so that no chain is too deep. The cache is indexed, and
 //! stamped rather than emptied: nothing is hashed or allocated for a point.
 
-use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId};
 use crate::nodes::Code;
 use crate::specialise::{
     Context, EpochId, Instance, InstanceId, InstanceKind, Specialised, mix_key,
@@ -27,10 +27,13 @@ pub fn walk(
 ) {
     let lists: Vec<LightList> =
         graph.light_lists.iter().map(|names| renderer.light_list(names)).collect();
+    let textures: Vec<TextureId> =
+        graph.textures.iter().map(|texture| renderer.texture(texture)).collect();
     memory.fit(graph);
     memory.words[..uniforms.len()].copy_from_slice(uniforms);
     let uniforms = uniforms.len();
-    let mut walk = Walk { graph, simd, lists: &lists, uniforms, renderer, memory };
+    let mut walk =
+        Walk { graph, simd, lists: &lists, textures: &textures, uniforms, renderer, memory };
     for (point, result) in points.iter().zip(results) {
         *result = walk.point(point);
     }
@@ -91,6 +94,7 @@ struct Walk<'a> {
     graph: &'a Specialised,
     simd: Simd,
     lists: &'a [LightList],
+    textures: &'a [TextureId],
     uniforms: usize,
     renderer: &'a mut dyn Renderer,
     memory: &'a mut Memory,
@@ -157,6 +161,9 @@ impl Walk<'_> {
             InstanceKind::Plain(code) => self.plain(instance, code),
             InstanceKind::Request { effect: Effect::LightColor, context, loops, table, .. } => {
                 self.light_color(instance, *table, loops, context, state);
+            }
+            InstanceKind::Request { effect: Effect::ReadTexture, texture, .. } => {
+                self.read_texture(instance, *texture);
             }
             InstanceKind::Request { effect, context, site, loops, .. } => {
                 self.trace(instance, *effect, self.key(*site, loops), context, state);
@@ -240,6 +247,17 @@ impl Walk<'_> {
         self.renderer.trace(effect, &[ray], &mut answer);
         for (at, word) in answer_words(&answer[0]).into_iter().enumerate() {
             self.set(instance.output + at as u32, word);
+        }
+    }
+
+    fn read_texture(&mut self, instance: &Instance, texture: Option<usize>) {
+        let Some(texture) = texture.map(|at| self.textures[at]) else { return };
+        let coordinate = |at: usize| f32::from_bits(self.word(instance.words[at]));
+        let coordinates = [coordinate(0), coordinate(1)];
+        let mut color = [None];
+        self.renderer.read_texture(texture, &[coordinates], &mut color);
+        for (slot, word) in (instance.output..).zip(texture_words(color[0])) {
+            self.set(slot, word);
         }
     }
 
@@ -356,6 +374,12 @@ pub(super) fn ray(effect: Effect, state: State, words: [u32; 6], site: u64) -> R
         _ => (state.point, [dx, dy, dz]),
     };
     Ray { state, origin, direction, site }
+}
+
+/// The output words of a texture request.
+pub(super) fn texture_words(color: Option<[f32; 4]>) -> [u32; 5] {
+    let [r, g, b, a] = color.unwrap_or_default().map(f32::to_bits);
+    [r, g, b, a, if color.is_some() { u32::MAX } else { 0 }]
 }
 
 /// The output words of a trace request.

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::{Graph, Parameter};
 use crate::document::{listed, nearest, shown};
-use crate::nodes::{Literal, Type};
+use crate::nodes::{Literal, Space, Texture, Type};
 
 /// Why a value cannot be bound to a parameter.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
@@ -111,17 +111,24 @@ impl Parameter {
                     Err(_) => Err(self.type_error(text)),
                 }
             }
+            Type::String => Ok(Literal::String(text.to_owned())),
+            Type::Light if text.is_empty() => Err(self.type_error(text)),
+            Type::Light => Ok(Literal::Light(text.to_owned())),
+            Type::Texture => Ok(Literal::Texture(texture(text))),
+            Type::Shader => Err(self.type_error(text)),
             Type::Lights => {
                 let names = text.split(',').map(str::trim).filter(|name| !name.is_empty());
                 Ok(Literal::Lights(names.map(str::to_owned).collect()))
             }
-            Type::Scalar | Type::Color | Type::Vector | Type::Generic => self.parse_numbers(text),
+            Type::Scalar | Type::Color | Type::Vector | Type::Transform | Type::Generic => {
+                self.parse_numbers(text)
+            }
         }
     }
 
     fn parse_numbers(&self, text: &str) -> Result<Literal, BindError> {
         let mut numbers = Vec::new();
-        for part in text.split(',').take(5) {
+        for part in text.split(',').take(17) {
             numbers.push(part.trim().parse::<f32>().map_err(|_| self.type_error(text))?);
         }
         match (self.value_type, numbers.as_slice()) {
@@ -130,6 +137,10 @@ impl Parameter {
             (Type::Color, &[x]) => Ok(Literal::Color([x, x, x, 1.0])),
             (Type::Color, &[r, g, b]) => Ok(Literal::Color([r, g, b, 1.0])),
             (Type::Color, &[r, g, b, a]) => Ok(Literal::Color([r, g, b, a])),
+            (Type::Transform, numbers) => match numbers.try_into() {
+                Ok(rows) if is_affine(&rows) => Ok(Literal::Transform(rows)),
+                _ => Err(self.type_error(text)),
+            },
             _ => Err(self.type_error(text)),
         }
     }
@@ -140,6 +151,7 @@ impl Parameter {
             Literal::Scalar(x) => std::slice::from_ref(x),
             Literal::Vector(vector) => vector,
             Literal::Color(color) => color,
+            Literal::Transform(rows) => rows,
             Literal::Integer(number) if !self.range.contains(&f64::from(*number)) => {
                 return Err(self.range_error(&number.to_string()));
             }
@@ -153,7 +165,8 @@ impl Parameter {
                     range: shown(&self.range),
                 });
             }
-            if at < 3 && !self.contains(*component) {
+            let ranged = at < 3 && self.value_type != Type::Transform;
+            if ranged && !self.contains(*component) {
                 return Err(self.range_error(&component.to_string()));
             }
         }
@@ -188,7 +201,14 @@ impl Parameter {
             Type::Scalar => "a number, such as `0.5`".into(),
             Type::Color => "one, three or four numbers, such as `0.9,0.7,0.4`".into(),
             Type::Vector => "three numbers, such as `0,0,1`".into(),
+            Type::Transform => {
+                "sixteen numbers, row by row, the last of each row 0 but 1 in the last row".into()
+            }
+            Type::String => "any text".into(),
+            Type::Texture => "a file, or a file and its space such as `bump.png,linear`".into(),
+            Type::Light => "the name of a light".into(),
             Type::Lights => "names of lights joined by commas".into(),
+            Type::Shader => "it in a graph that uses this one: only a node can be a shader".into(),
             Type::Generic => "numbers".into(),
         };
         BindError::Type {
@@ -198,6 +218,21 @@ impl Parameter {
             form,
         }
     }
+}
+
+/// `file` or `file,space`; nothing at all is no texture.
+fn texture(text: &str) -> Option<Texture> {
+    let spaced = text.rsplit_once(',').and_then(|(file, space)| {
+        let (_, space) = Space::ALL.into_iter().find(|(name, _)| *name == space.trim())?;
+        Some(Texture { file: file.trim().to_owned(), space })
+    });
+    let plain = || Texture { file: text.to_owned(), space: Space::of_file(text) };
+    (!text.is_empty()).then(|| spaced.unwrap_or_else(plain))
+}
+
+/// Whether a matrix by rows maps points without perspective: its last column is 0, 0, 0, 1.
+pub(crate) fn is_affine(rows: &[f32; 16]) -> bool {
+    [rows[3], rows[7], rows[11], rows[15]] == [0.0, 0.0, 0.0, 1.0]
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! A checked graph: names resolved, types settled, every input bound. What [`crate::check`] makes
 //! and the engines start from.
 
-mod bind;
+pub(crate) mod bind;
 mod with_root;
 
 use crate::nodes::{FINITE, Literal, NodeType, Type};

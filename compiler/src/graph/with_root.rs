@@ -83,7 +83,14 @@ impl Graph {
                 let chosen = graph.append(library, "select", Some(Type::Scalar), inputs)?;
                 Binding::Node { node: chosen, output: 0 }
             }
-            other @ (Type::Lights | Type::Generic) => {
+            Type::Shader
+            | Type::Transform
+            | Type::String
+            | Type::Texture
+            | Type::Light
+            | Type::Lights
+            | Type::Generic => {
+                let other = self.output_type(library, node, output);
                 let signature = library.signature(self.nodes[node].node_type);
                 return Err(WithRootError::NotAValue {
                     node: self.nodes[node].name.clone(),
@@ -148,7 +155,7 @@ fn is_of_light(library: &NodeLibrary, node_type: NodeType, output: usize) -> boo
     match &library.signature(node_type).kind {
         Kind::Fields(fields) => fields.get(output).copied().is_some_and(Field::is_of_light),
         Kind::Request(effect) => effect.reads().iter().any(|field| field.is_of_light()),
-        Kind::Plain | Kind::Scope(_) | Kind::LightLoop => false,
+        Kind::Plain | Kind::Scope(_) | Kind::LightLoop | Kind::List(_) => false,
     }
 }
 

@@ -214,12 +214,21 @@ macro_rules! node {
     (@type $e:ident, vector) => { $crate::emit::Vector<$e::Real> };
     (@type $e:ident, color) => { $crate::emit::Color<$e::Real> };
     (@type $e:ident, lights) => { () };
+    (@type $e:ident, light) => { () };
+    (@type $e:ident, texture) => { () };
+    (@type $e:ident, string) => { $e::Int };
+    (@type $e:ident, transform) => { $crate::emit::Transform<$e::Real> };
+    (@type $e:ident, shader) => { $crate::emit::Color<$e::Real> };
     (@generic_type $e:ident, $t:ident, generic) => { $t };
     (@generic_type $e:ident, $t:ident, $type:ident) => { $crate::node!(@type $e, $type) };
 
     (@width vector) => { 3 };
     (@width color) => { 4 };
     (@width lights) => { 0 };
+    (@width light) => { 0 };
+    (@width texture) => { 0 };
+    (@width transform) => { 16 };
+    (@width shader) => { 4 };
     (@width $type:ident) => { 1 };
     (@generic_width One, generic) => { 1 };
     (@generic_width Vector, generic) => { 3 };
@@ -237,6 +246,11 @@ macro_rules! node {
     (@load_at $words:ident, $at:ident, vector) => { $crate::emit::read_vector::<E>($words, $at) };
     (@load_at $words:ident, $at:ident, color) => { $crate::emit::read_color::<E>($words, $at) };
     (@load_at $words:ident, $at:ident, lights) => { () };
+    (@load_at $words:ident, $at:ident, light) => { () };
+    (@load_at $words:ident, $at:ident, texture) => { () };
+    (@load_at $words:ident, $at:ident, string) => { $words.int($at) };
+    (@load_at $words:ident, $at:ident, transform) => { $crate::emit::read_transform::<E>($words, $at) };
+    (@load_at $words:ident, $at:ident, shader) => { $crate::emit::read_color::<E>($words, $at) };
     (@generic_load One, $emit:ident, $words:ident, $at:ident, generic) => {{
         let value = $crate::emit::One { x: $words.real($at) };
         $at += 1;
@@ -307,6 +321,11 @@ macro_rules! node {
     (@kind vector) => { $crate::nodes::Type::Vector };
     (@kind color) => { $crate::nodes::Type::Color };
     (@kind lights) => { $crate::nodes::Type::Lights };
+    (@kind light) => { $crate::nodes::Type::Light };
+    (@kind texture) => { $crate::nodes::Type::Texture };
+    (@kind string) => { $crate::nodes::Type::String };
+    (@kind transform) => { $crate::nodes::Type::Transform };
+    (@kind shader) => { $crate::nodes::Type::Shader };
     (@kind generic) => { $crate::nodes::Type::Generic };
 
     (@range) => { $crate::nodes::FINITE };
@@ -335,6 +354,7 @@ macro_rules! node {
                 avoid: $crate::node!(@avoid $($avoid)?),
                 guarded: $crate::node!(@flag $($guard)?),
                 scoped: $crate::node!(@flag $($scoped)?),
+                list: false,
             },)*],
             outputs: vec![$($crate::nodes::Output {
                 name: stringify!($output),

@@ -16,13 +16,15 @@ pub mod finite;
 mod library;
 pub mod reference;
 mod signature;
+mod types;
 
 pub use code::{Body, Code};
 pub use library::{Definition, NodeLibrary, NodeType, Overload, paragraph};
 pub use signature::{
-    Avoid, BLACK, Default, FINITE, Input, Kind, Literal, NOT_NEGATIVE, Output, POSITIVE, Signature,
-    Type, WHITE, node, required, state,
+    Avoid, BLACK, Default, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE,
+    Signature, WHITE, node, required, state,
 };
+pub use types::{Literal, Space, Texture, Type};
 
 /// Declares the folders and files of nodes, and the list [`NodeLibrary::standard`] is made from.
 macro_rules! nodes {
@@ -51,16 +53,22 @@ nodes! {
         constant_boolean, constant_color, constant_integer, constant_scalar, constant_vector,
     }
     /// Directions, points and their products.
-    vector { combine_vector, cross, dot, length, normalize, split_vector }
+    vector {
+        combine_vector, cross, dot, length, normalize, split_vector, transform_normal,
+        transform_point, transform_vector,
+    }
     /// Blending and converting colours.
     color { combine_color, hsv_to_rgb, luminance, mix, overlay, screen, split_color }
     /// Comparing and choosing.
-    logic { and, equal, less, less_equal, not, or, select, switch }
+    logic { and, equal, less, less_equal, not, or, select, string_equal, switch }
+    /// Over lists of any length.
+    lists { element, sum }
     /// Light at the boundary of two media.
     fresnel { fresnel_dielectric, fresnel_reflection, ior_pair }
     /// Rays: directions, and requests to the renderer.
     rays {
-        fallback, light_color, ray_is, ray_switch, reflection_direction, refraction_direction,
+        call_shader, fallback, light_color, ray_is, ray_switch, reflection_direction, refraction_direction,
+        texture_lookup,
         trace_environment, trace_probe, trace_reflection, trace_refraction, trace_transparent,
     }
     /// What surfaces do with the light of one sample.

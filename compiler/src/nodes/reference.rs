@@ -4,8 +4,7 @@ use std::fmt::Write;
 use std::ops::RangeInclusive;
 
 use super::{
-    Avoid, Default, Definition, FINITE, GROUPS, Kind, Literal, NOT_NEGATIVE, NodeLibrary,
-    Signature, Type,
+    Avoid, Default, Definition, FINITE, GROUPS, Kind, NOT_NEGATIVE, NodeLibrary, Signature,
 };
 
 /// `docs/nodes.md`: every node of `library` in Markdown, by group.
@@ -56,7 +55,7 @@ fn write_node(page: &mut String, definition: &Definition) {
             input.name,
             cell(input.value_type.name()),
             default(&input.default),
-            range(&input.range, has_range(input.value_type)),
+            range(&input.range, input.value_type.is_numeric()),
         );
     }
     page.push_str("\n| output | type | range | meaning |\n| --- | --- | --- | --- |\n");
@@ -66,7 +65,7 @@ fn write_node(page: &mut String, definition: &Definition) {
             "| `{}` | {} | {} | {} |",
             output.name,
             cell(output.value_type.name()),
-            range(&output.range, has_range(output.value_type)),
+            range(&output.range, output.value_type.is_numeric()),
             cell(&output.doc),
         );
     }
@@ -85,6 +84,9 @@ fn kind(signature: &Signature) -> String {
         Kind::Request(effect) => format!("\nAsks the renderer: effect `{}`.\n", effect.name()),
         Kind::Scope(fields) => format!("\nChanges, for its scoped input: {}.\n", names(fields)),
         Kind::LightLoop => "\nA loop over light samples.\n".into(),
+        Kind::List(_) => {
+            "\nTakes a list of any length: `[value, …]` or an array of the interface.\n".into()
+        }
         Kind::Plain | Kind::Fields(_) => String::new(),
     }
 }
@@ -96,29 +98,10 @@ fn cell(text: &str) -> String {
 fn default(default: &Default) -> String {
     match default {
         Default::Required => String::new(),
-        Default::Literal(literal) => format!("`{}`", value(literal)),
+        Default::Literal(literal) => format!("`{literal}`"),
         Default::State(field) => format!("state: `{}`", field.name()),
         Default::Node(name) => format!("[`{name}`](#{name})"),
     }
-}
-
-fn value(literal: &Literal) -> String {
-    let list = |numbers: &[f32]| {
-        let numbers: Vec<String> = numbers.iter().map(f32::to_string).collect();
-        format!("[{}]", numbers.join(", "))
-    };
-    match literal {
-        Literal::Boolean(value) => value.to_string(),
-        Literal::Integer(value) => value.to_string(),
-        Literal::Scalar(value) => value.to_string(),
-        Literal::Color(value) => list(value),
-        Literal::Vector(value) => list(value),
-        Literal::Lights(_) => "[]".into(),
-    }
-}
-
-fn has_range(value_type: Type) -> bool {
-    !matches!(value_type, Type::Boolean | Type::Lights)
 }
 
 fn range(range: &RangeInclusive<f64>, shown: bool) -> String {

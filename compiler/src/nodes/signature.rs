@@ -5,117 +5,7 @@ use std::ops::RangeInclusive;
 use crate::effects::Effect;
 use crate::state::Field;
 
-/// The type of an input, an output or an interface parameter.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Type {
-    /// True or false.
-    Boolean,
-    /// 32-bit signed integer.
-    Integer,
-    /// 32-bit floating point number.
-    Scalar,
-    /// Scene-linear Rec. 709 red, green, blue, and alpha.
-    Color,
-    /// Three numbers.
-    Vector,
-    /// A list of light names; uniform, never computed.
-    Lights,
-    /// The one type a generic node is used with: scalar, vector or color.
-    Generic,
-}
-
-impl Type {
-    /// Number of 32-bit words; none for what is uniform.
-    pub fn width(self) -> usize {
-        match self {
-            Type::Boolean | Type::Integer | Type::Scalar => 1,
-            Type::Vector => 3,
-            Type::Color => 4,
-            Type::Lights | Type::Generic => 0,
-        }
-    }
-
-    /// The name in graph files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Type::Boolean => "boolean",
-            Type::Integer => "integer",
-            Type::Scalar => "scalar",
-            Type::Color => "color",
-            Type::Vector => "vector",
-            Type::Lights => "lights",
-            Type::Generic => "scalar | vector | color",
-        }
-    }
-
-    /// Whether a value of this type is converted without a node: integer to scalar, scalar (or
-    /// integer) to color.
-    pub fn converts_to(self, to: Type) -> bool {
-        self == to
-            || matches!(
-                (self, to),
-                (Type::Integer, Type::Scalar | Type::Color) | (Type::Scalar, Type::Color)
-            )
-    }
-}
-
-/// A literal, of a known type.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Literal {
-    /// See [`Type::Boolean`].
-    Boolean(bool),
-    /// See [`Type::Integer`].
-    Integer(i32),
-    /// See [`Type::Scalar`].
-    Scalar(f32),
-    /// See [`Type::Color`].
-    Color([f32; 4]),
-    /// See [`Type::Vector`].
-    Vector([f32; 3]),
-    /// Names of lights in the scene's order of mention; empty: every light of the scene.
-    Lights(Vec<String>),
-}
-
-impl Literal {
-    /// Its type.
-    pub fn value_type(&self) -> Type {
-        match self {
-            Literal::Boolean(_) => Type::Boolean,
-            Literal::Integer(_) => Type::Integer,
-            Literal::Scalar(_) => Type::Scalar,
-            Literal::Color(_) => Type::Color,
-            Literal::Vector(_) => Type::Vector,
-            Literal::Lights(_) => Type::Lights,
-        }
-    }
-
-    /// Its words as the engines store them: floats by their bits, true as all bits set.
-    pub fn words(&self) -> Vec<u32> {
-        match self {
-            Literal::Boolean(true) => vec![u32::MAX],
-            Literal::Boolean(false) => vec![0],
-            Literal::Integer(value) => vec![*value as u32],
-            Literal::Scalar(value) => vec![value.to_bits()],
-            Literal::Color(value) => value.iter().map(|x| x.to_bits()).collect(),
-            Literal::Vector(value) => value.iter().map(|x| x.to_bits()).collect(),
-            Literal::Lights(_) => Vec::new(),
-        }
-    }
-
-    /// Converted as [`Type::converts_to`] allows.
-    pub fn converted_to(&self, to: Type) -> Option<Literal> {
-        Some(match (self, to) {
-            (literal, to) if literal.value_type() == to => literal.clone(),
-            (Literal::Integer(value), Type::Scalar) => Literal::Scalar(*value as f32),
-            (Literal::Integer(value), Type::Color) => {
-                let x = *value as f32;
-                Literal::Color([x, x, x, 1.0])
-            }
-            (Literal::Scalar(x), Type::Color) => Literal::Color([*x, *x, *x, 1.0]),
-            _ => return None,
-        })
-    }
-}
+use super::types::{Literal, Type};
 
 /// What an input is when nothing is given for it.
 #[derive(Clone, Debug)]
@@ -167,6 +57,16 @@ impl From<[f64; 4]> for Default {
         Default::Literal(Literal::Color(value.map(|x| x as f32)))
     }
 }
+impl From<&str> for Default {
+    fn from(value: &str) -> Self {
+        Default::Literal(Literal::String(value.to_owned()))
+    }
+}
+impl From<Literal> for Default {
+    fn from(value: Literal) -> Self {
+        Default::Literal(value)
+    }
+}
 impl From<Vec<String>> for Default {
     fn from(value: Vec<String>) -> Self {
         Default::Literal(Literal::Lights(value))
@@ -213,6 +113,8 @@ pub struct Input {
     pub guarded: bool,
     /// Evaluated in the scope or loop this node opens.
     pub scoped: bool,
+    /// A list of values of that type; only of [`Kind::List`] nodes.
+    pub list: bool,
 }
 
 /// An output of a node.
@@ -242,6 +144,18 @@ pub enum Kind {
     Scope(Vec<Field>),
     /// The scoped input is evaluated once per light sample and summed in list order.
     LightLoop,
+    /// Over a list of values, as other nodes: the checker puts those in its place, so no engine
+    /// meets it.
+    List(ListForm),
+}
+
+/// What a node over a list stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ListForm {
+    /// The value at an index: a `select` for each value but the last.
+    Element,
+    /// The sum in list order: an `add` for each value but the first.
+    Sum,
 }
 
 /// The signature of a node type.

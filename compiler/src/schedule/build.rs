@@ -38,6 +38,7 @@ pub fn schedule(graph: &Specialised) -> Schedule {
         root,
         light_lists: graph.light_lists.clone(),
         tables: graph.tables.clone(),
+        textures: graph.textures.clone(),
     }
 }
 
@@ -292,7 +293,7 @@ impl Builder<'_> {
         self.emitted[id] = true;
         match &instance.kind {
             InstanceKind::Plain(_) => self.evaluate(open, id),
-            InstanceKind::Request { effect, context, site, loops, table } => {
+            InstanceKind::Request { effect, context, site, loops, table, texture } => {
                 self.flush(open);
                 open.items.push(Item::Request(self.requests.len()));
                 let loops = loops.iter().filter_map(|epoch| self.loop_of_epoch[*epoch]).collect();
@@ -305,6 +306,7 @@ impl Builder<'_> {
                     site: *site,
                     loops,
                     table: *table,
+                    texture: *texture,
                 });
             }
             InstanceKind::Loop { epoch, .. } => {

@@ -17,7 +17,7 @@ pub use build::schedule;
 
 use crate::effects::Effect;
 use crate::engine::lanes::Source;
-use crate::nodes::Code;
+use crate::nodes::{Code, Texture};
 use crate::specialise::{Context, EpochId, LightTable};
 use crate::state::Field;
 
@@ -45,6 +45,8 @@ pub struct Schedule {
     pub light_lists: Vec<Vec<String>>,
     /// Tables of light colours.
     pub tables: Vec<LightTable>,
+    /// Textures that are read.
+    pub textures: Vec<Texture>,
 }
 
 /// What is demanded under one mask.
@@ -113,6 +115,8 @@ pub struct Request {
     pub loops: Vec<usize>,
     /// Table of light colours.
     pub table: Option<usize>,
+    /// Position of the texture that is read.
+    pub texture: Option<usize>,
 }
 
 /// A light loop.

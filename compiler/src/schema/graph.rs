@@ -5,14 +5,15 @@ use serde_json::{Map, Value, json};
 use super::{described, object, reference};
 use crate::check::MAX_SHADERS;
 use crate::graph::RootKind;
-use crate::nodes::{Default, Input, NodeLibrary, Signature, Type};
+use crate::nodes::{Default, Input, NodeLibrary, Signature, Space, Type};
 
 /// Adds the definition `graph` and what it needs.
 pub(super) fn define(library: &NodeLibrary, definitions: &mut Map<String, Value>) {
     definitions.insert("graph".into(), graph());
     definitions
         .insert("name".into(), json!({ "type": "string", "pattern": NAME, "maxLength": 256 }));
-    definitions.insert("parameter".into(), parameter());
+    definitions.insert("parameter".into(), declaration(true));
+    definitions.insert("element".into(), declaration(false));
     definitions.insert("requires".into(), requires());
     definitions.insert("root".into(), root());
     definitions.insert("shaders".into(), shaders());
@@ -63,19 +64,28 @@ fn sources(definitions: &mut Map<String, Value>) {
         object(&["node"], json!({ "node": { "type": "string" }, "output": { "type": "string" } })),
         object(&["interface"], json!({ "interface": { "type": "string" } })),
     ] });
+    let text = json!({ "type": "string" });
     let number = json!({ "type": "number", "minimum": -f64::from(f32::MAX), "maximum": f64::from(f32::MAX) });
     let list = |least: usize, most: usize| json!({ "type": "array", "items": { "$ref": "#/definitions/number" }, "minItems": least, "maxItems": most });
     let integer = json!({ "type": "integer", "minimum": i32::MIN, "maximum": i32::MAX });
     let number_here = reference("number");
-    let lights = json!({ "type": "array", "items": object(&["light"], json!({ "light": { "type": "string" } })) });
+    let light = object(&["light"], json!({ "light": text }));
+    let spaces: Vec<&str> = Space::ALL.iter().map(|(name, _)| *name).collect();
+    let texture = object(&["texture"], json!({ "texture": text, "space": { "enum": spaces } }));
+    let null = json!({ "type": "null" });
     for (name, literal) in [
         ("boolean", vec![json!({ "type": "boolean" })]),
         ("integer", vec![integer]),
         ("scalar", vec![number_here.clone()]),
         ("color", vec![number_here.clone(), list(3, 4)]),
         ("vector", vec![list(3, 3)]),
+        ("transform", vec![list(16, 16)]),
+        ("string", vec![text]),
+        ("texture", vec![texture, null.clone()]),
+        ("light", vec![light.clone()]),
+        ("lights", vec![json!({ "type": "array", "items": light })]),
+        ("shader", vec![null]),
         ("generic", vec![number_here, list(3, 4)]),
-        ("lights", vec![lights]),
     ] {
         definitions.insert(format!("{name}_literal"), json!({ "anyOf": literal }));
         let own = json!({ "$ref": format!("#/definitions/{name}_literal") });
@@ -93,41 +103,75 @@ fn source_name(value_type: Type) -> &'static str {
     }
 }
 
-fn parameter() -> Value {
-    let number = json!({ "$ref": "#/definitions/number" });
+/// A parameter, or a member of a struct; without a default what an array is of.
+fn declaration(with_default: bool) -> Value {
     let text = json!({ "type": "string" });
-    let mut ordered = json!({
-        "type": {}, "default": {}, "min": number, "max": number, "soft_min": number,
-        "soft_max": number, "unit": text, "doc": text, "editor": {},
-    });
     let mut choices = Vec::new();
-    for value_type in
-        [Type::Scalar, Type::Integer, Type::Color, Type::Vector, Type::Boolean, Type::Lights]
-    {
-        let name = value_type.name();
-        let literal = json!({ "$ref": format!("#/definitions/{name}_literal") });
-        let plain = matches!(value_type, Type::Boolean | Type::Lights);
-        let mut properties = if plain {
-            json!({ "type": {}, "default": {}, "doc": text, "editor": {} })
-        } else {
-            ordered.clone()
-        };
-        properties["type"] = json!({ "const": name });
-        properties["default"] = literal.clone();
-        if value_type == Type::Integer {
-            properties["default"] = json!({ "anyOf": [literal, { "type": "string" }] });
-            properties["values"] = json!({ "type": "array", "items": text, "minItems": 1, "uniqueItems": true, "description": "Names of 0, 1, 2 …" });
+    let mut choice = |name: &str, required: &[&str], mut properties: Value| {
+        if !with_default && let Some(properties) = properties.as_object_mut() {
+            properties.remove("default");
         }
-        let required: &[&str] =
-            if value_type == Type::Lights { &["type"] } else { &["type", "default"] };
+        let required: Vec<&str> =
+            required.iter().copied().filter(|key| with_default || *key != "default").collect();
         choices.push(json!({
             "if": { "properties": { "type": { "const": name } }, "required": ["type"] },
-            "then": object(required, properties),
+            "then": object(&required, properties),
         }));
+    };
+    for value_type in Type::ALL {
+        let name = value_type.name();
+        let (required, properties) = one(value_type);
+        choice(name, required, properties);
     }
-    ordered["type"] =
-        json!({ "enum": ["scalar", "integer", "boolean", "color", "vector", "lights"] });
-    json!({ "type": "object", "required": ["type"], "properties": { "type": ordered["type"] }, "allOf": choices })
+    choice(
+        "array",
+        &["type", "of", "default"],
+        json!({
+            "type": { "const": "array" },
+            "of": described("element", "What each of its values is."),
+            "default": { "type": "array", "minItems": 1, "description": "Its values; as many as there ever are." },
+            "doc": text, "editor": {},
+        }),
+    );
+    choice(
+        "struct",
+        &["type", "members"],
+        json!({
+            "type": { "const": "struct" },
+            "members": {
+                "type": "object", "minProperties": 1,
+                "propertyNames": reference("name"),
+                "additionalProperties": reference("parameter"),
+            },
+            "default": object(&["struct"], json!({ "struct": { "type": "object" } })),
+            "doc": text, "editor": {},
+        }),
+    );
+    let mut names: Vec<&str> = Type::ALL.iter().map(|of| of.name()).collect();
+    names.extend(["array", "struct"]);
+    json!({ "type": "object", "required": ["type"], "properties": { "type": { "enum": names } }, "allOf": choices })
+}
+
+/// The keys of a parameter of one value, and which of them it must have.
+fn one(value_type: Type) -> (&'static [&'static str], Value) {
+    let number = json!({ "$ref": "#/definitions/number" });
+    let text = json!({ "type": "string" });
+    let name = value_type.name();
+    let literal = json!({ "$ref": format!("#/definitions/{name}_literal") });
+    let mut properties =
+        json!({ "type": { "const": name }, "default": literal, "doc": text, "editor": {} });
+    if value_type.is_numeric() {
+        for key in ["min", "max", "soft_min", "soft_max"] {
+            properties[key] = number.clone();
+        }
+        properties["unit"] = text.clone();
+    }
+    if value_type == Type::Integer {
+        properties["default"] = json!({ "anyOf": [literal, { "type": "string" }] });
+        properties["values"] = json!({ "type": "array", "items": text, "minItems": 1, "uniqueItems": true, "description": "Names of 0, 1, 2 …" });
+    }
+    let has_own = matches!(value_type, Type::Lights | Type::Texture | Type::Shader);
+    (if has_own { &["type"] } else { &["type", "default"] }, properties)
 }
 
 /// The requirements of mental ray's grammar.
@@ -227,5 +271,10 @@ fn input_schema(input: &Input) -> Value {
         Default::State(field) => format!(" By default the state's {}.", field.name()),
         Default::Node(name) => format!(" By default what `{name}` yields."),
     };
-    described(source_name(input.value_type), &format!("{}{default}", input.doc))
+    let doc = format!("{}{default}", input.doc);
+    if input.list {
+        let values = json!({ "type": "array", "items": reference(source_name(input.value_type)), "minItems": 1 });
+        return json!({ "anyOf": [values, reference("connection")], "description": doc });
+    }
+    described(source_name(input.value_type), &doc)
 }

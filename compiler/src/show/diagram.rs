@@ -339,7 +339,7 @@ impl<'a> Builder<'a> {
 /// What is said in the header of a node.
 fn badge(kind: &Kind) -> Option<(Accent, String)> {
     match kind {
-        Kind::Plain => None,
+        Kind::Plain | Kind::List(_) => None,
         Kind::Fields(_) => Some((Accent::State, "state".to_owned())),
         Kind::Request(Effect::LightColor) => Some((Accent::Light, "light".to_owned())),
         Kind::Request(_) => Some((Accent::Ray, "ray".to_owned())),

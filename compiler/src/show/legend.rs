@@ -15,10 +15,6 @@ const SIGN: f64 = 26.0;
 /// Between entries.
 const GAP: f64 = 22.0;
 
-/// Every type, in the order of the legend.
-const TYPES: [Type; 6] =
-    [Type::Scalar, Type::Color, Type::Vector, Type::Boolean, Type::Integer, Type::Lights];
-
 /// What an entry explains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Sign {
@@ -76,7 +72,7 @@ fn signs(diagram: &Diagram<'_>) -> Vec<Sign> {
             || outputs().any(|output| output.value_type == value_type)
     };
     let mut signs: Vec<Sign> =
-        TYPES.into_iter().filter(|&value_type| has(value_type)).map(Sign::Socket).collect();
+        Type::ALL.into_iter().filter(|&value_type| has(value_type)).map(Sign::Socket).collect();
     let marks = [
         (Sign::Guarded, inputs().any(|input| input.guarded)),
         (Sign::Scoped, inputs().any(|input| input.scoped)),

@@ -62,18 +62,22 @@ pub(super) fn color(value_type: Type) -> &'static str {
         Type::Vector => "#5b5bd6",
         Type::Boolean => "#d1549b",
         Type::Integer => "#00866b",
-        Type::Lights => "#e05a00",
+        Type::Transform => "#2f7fb8",
+        Type::String => "#8a6d3b",
+        Type::Texture => "#b0568f",
+        Type::Shader => "#4f9a3d",
+        Type::Light | Type::Lights => "#e05a00",
     }
 }
 
 /// Shape of sockets of a type.
 pub(super) fn shape(value_type: Type) -> Shape {
     match value_type {
-        Type::Scalar | Type::Color | Type::Generic => Shape::Circle,
-        Type::Vector => Shape::Diamond,
-        Type::Boolean => Shape::Square,
+        Type::Scalar | Type::Color | Type::Shader | Type::Generic => Shape::Circle,
+        Type::Vector | Type::Transform => Shape::Diamond,
+        Type::Boolean | Type::String => Shape::Square,
         Type::Integer => Shape::Triangle,
-        Type::Lights => Shape::Hexagon,
+        Type::Texture | Type::Light | Type::Lights => Shape::Hexagon,
     }
 }
 

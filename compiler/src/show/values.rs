@@ -34,6 +34,12 @@ pub(super) fn literal(literal: &Literal) -> Value {
             };
             Value { text, swatch: Some([*r, *g, *b]) }
         }
+        Literal::Transform(_) => Value::plain("transform"),
+        Literal::String(text) => Value::plain(text.clone()),
+        Literal::Texture(None) => Value::plain("no texture"),
+        Literal::Texture(Some(texture)) => Value::plain(texture.file.clone()),
+        Literal::NoShader => Value::plain("no shader"),
+        Literal::Light(name) => Value::plain(name.clone()),
         Literal::Lights(names) if names.is_empty() => Value::plain("every light"),
         Literal::Lights(names) => Value::plain(names.join(", ")),
     }

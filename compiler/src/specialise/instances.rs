@@ -2,7 +2,7 @@
 
 use crate::effects::Effect;
 use crate::engine::lanes::Source;
-use crate::nodes::Code;
+use crate::nodes::{Code, Texture};
 use crate::state::Field;
 
 use super::{EpochId, Epochs, Uniforms};
@@ -46,6 +46,8 @@ pub enum InstanceKind {
         loops: Vec<EpochId>,
         /// Where light colours are kept, for [`Effect::LightColor`].
         table: Option<usize>,
+        /// Position in [`Specialised::textures`], for [`Effect::ReadTexture`].
+        texture: Option<usize>,
     },
     /// By running a body for every light sample. Its last demand is the body.
     Loop {
@@ -113,6 +115,8 @@ pub struct Specialised {
     pub light_lists: Vec<Vec<String>>,
     /// Tables of light colours.
     pub tables: Vec<LightTable>,
+    /// Textures that are read.
+    pub textures: Vec<Texture>,
 }
 
 impl Specialised {

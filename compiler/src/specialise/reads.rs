@@ -135,7 +135,7 @@ fn reads_of(views: &Views<'_>, sets: &[FieldSet], view: usize) -> FieldSet {
     let mut set = match &signature.kind {
         Kind::Request(effect) => effect.reads().iter().copied().collect(),
         Kind::LightLoop => LIGHT_LOOP_READS.into_iter().collect(),
-        Kind::Plain | Kind::Fields(_) | Kind::Scope(_) => FieldSet::NONE,
+        Kind::Plain | Kind::Fields(_) | Kind::Scope(_) | Kind::List(_) => FieldSet::NONE,
     };
     let changed = match &signature.kind {
         Kind::Scope(fields) => fields.iter().copied().collect(),

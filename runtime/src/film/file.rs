@@ -8,6 +8,8 @@ use exr::prelude::{
     Vec2, WritableImage,
 };
 
+use phenomenon_compiler::nodes::Space;
+
 use super::buffer::{Film, SizeError};
 use super::encoding::{srgb_byte, srgb_decoded};
 
@@ -69,6 +71,18 @@ fn format(path: &Path) -> Result<Format, FilmError> {
         Some("hdr") => Ok(Format::Hdr),
         _ => Err(FilmError::UnknownFormat { path: path.to_owned() }),
     }
+}
+
+fn picture_format(path: &Path) -> Result<image::ImageFormat, FilmError> {
+    let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+    if matches!(ending.as_deref(), Some("jpg" | "jpeg")) {
+        return Ok(image::ImageFormat::Jpeg);
+    }
+    Ok(match format(path)? {
+        Format::Png => image::ImageFormat::Png,
+        Format::Exr => image::ImageFormat::OpenExr,
+        Format::Hdr => image::ImageFormat::Hdr,
+    })
 }
 
 /// Checks that [`write()`] knows the file's ending, before hours are spent on a picture.
@@ -142,11 +156,12 @@ const FILE_BYTES_LIMIT: u64 = 4 << 30;
 
 /// Reads a picture as scene-linear colours; 8-bit pictures are decoded from sRGB.
 pub fn read(path: &Path) -> Result<Film, FilmError> {
-    let format = match format(path)? {
-        Format::Png => image::ImageFormat::Png,
-        Format::Exr => image::ImageFormat::OpenExr,
-        Format::Hdr => image::ImageFormat::Hdr,
-    };
+    read_as(path, None)
+}
+
+/// The same with what its numbers mean, where the caller knows. Besides what is written, JPEG is read.
+pub fn read_as(path: &Path, space: Option<Space>) -> Result<Film, FilmError> {
+    let format = picture_format(path)?;
     let unreadable = |source| FilmError::Unreadable { path: path.to_owned(), source };
     let metadata = std::fs::metadata(path).map_err(unreadable)?;
     // A device or a pipe may never end, and no picture within the limits of size is as large.
@@ -165,11 +180,12 @@ pub fn read(path: &Path) -> Result<Film, FilmError> {
     let picture = reader.decode().map_err(malformed)?.into_rgba32f();
     let mut film = Film::new(picture.width(), picture.height())
         .map_err(|source| FilmError::Size { path: path.to_owned(), source })?;
+    let encoded = match space {
+        Some(space) => space == Space::Srgb,
+        None => matches!(format, image::ImageFormat::Png | image::ImageFormat::Jpeg),
+    };
     for (column, row, &image::Rgba([r, g, b, a])) in picture.enumerate_pixels() {
-        let [r, g, b] = match format {
-            image::ImageFormat::Png => [r, g, b].map(srgb_decoded),
-            _ => [r, g, b],
-        };
+        let [r, g, b] = if encoded { [r, g, b].map(srgb_decoded) } else { [r, g, b] };
         film.set(column, row, [r, g, b, a]);
     }
     Ok(film)

@@ -2,9 +2,12 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use phenomenon_compiler::effects::{
+    Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId,
+};
 use phenomenon_compiler::engine::{Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
+use phenomenon_compiler::nodes::Texture;
 use phenomenon_compiler::state::{RayType, State};
 
 use super::clock::{Clock, Who};
@@ -283,7 +286,7 @@ impl Renderer for Context<'_> {
             Effect::TraceProbe => {
                 return self.nested(|context, _| context.probe(rays, answers));
             }
-            Effect::LightColor => return answers.fill(Answer::default()),
+            Effect::LightColor | Effect::ReadTexture => return answers.fill(Answer::default()),
         };
         answers.fill(Answer::default());
         self.nested(|context, scratch| {
@@ -292,6 +295,24 @@ impl Renderer for Context<'_> {
                 context.trace_queue(ray_type, rays, answers, scratch);
             }
         });
+    }
+
+    fn texture(&mut self, texture: &Texture) -> TextureId {
+        self.scene.textures.number(texture)
+    }
+
+    fn read_texture(
+        &mut self,
+        texture: TextureId,
+        coordinates: &[[f32; 2]],
+        colors: &mut [Option<[f32; 4]>],
+    ) {
+        let before = self.clock.switch(Who::Renderer);
+        let picture = self.scene.textures.picture(texture);
+        for (at, color) in coordinates.iter().zip(colors) {
+            *color = picture.and_then(|picture| picture.color(*at));
+        }
+        self.clock.switch(before);
     }
 
     fn light_list(&mut self, names: &[String]) -> LightList {

@@ -14,9 +14,10 @@ use crate::geometry::{
     Surface, Transform, double, single,
 };
 use crate::lights::{Environment, Light};
+use crate::texture::{TextureError, Textures};
 
 /// Why a scene could not be built.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum SceneError {
     /// A mesh is not usable.
     #[error(transparent)]
@@ -27,6 +28,9 @@ pub enum SceneError {
     /// A sphere would become an ellipsoid.
     #[error("a sphere can be scaled only by the same factor in every direction")]
     UnevenSphere,
+    /// A texture of a shader is not usable.
+    #[error(transparent)]
+    Texture(#[from] TextureError),
     /// No tree could be built.
     #[error(transparent)]
     Tree(#[from] TreeError),
@@ -55,6 +59,7 @@ pub struct Scene {
     pub(crate) extent: (DVec3, f64),
     instances: Vec<Instance>,
     light_lists: RwLock<Vec<Arc<[u32]>>>,
+    pub(crate) textures: Textures,
 }
 
 /// A material with the roots it has.
@@ -143,8 +148,18 @@ impl SceneBuilder {
         Ok(self)
     }
 
-    /// Builds the tree. Objects whose material does not exist are shaded by nothing: black.
+    /// Opens the textures and builds the tree. Objects whose material does not exist are shaded by nothing: black.
     pub fn build(self) -> Result<Scene, SceneError> {
+        let mut textures = Textures::default();
+        let environment = match &self.environment {
+            Some(Environment::Shader(shader)) => Some(shader),
+            _ => None,
+        };
+        for shader in self.materials.iter().chain(environment) {
+            for texture in shader.textures() {
+                textures.open(&texture)?;
+            }
+        }
         let tree = Tree::build(&self.primitives)?;
         let extent = match tree.bounds() {
             Some((low, high)) => {
@@ -168,6 +183,7 @@ impl SceneBuilder {
             extent,
             instances: self.instances,
             light_lists: RwLock::new(Vec::new()),
+            textures,
         })
     }
 }

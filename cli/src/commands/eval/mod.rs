@@ -168,7 +168,9 @@ impl Point<'_> {
     fn shade(&self, graph: Graph, kind: RootKind) -> Result<Shaded, Failure> {
         let shader = graphs::compile(graph, self.library, self.values, self.options)?;
         let mut results = [Shaded::default()];
-        shader.shade(kind, &[self.state], &mut EmptyScene, &mut results);
+        let mut scene = EmptyScene::new(&shader.textures())
+            .map_err(|error| Failure::new(error, "mend the file, or name another"))?;
+        shader.shade(kind, &[self.state], &mut scene, &mut results);
         Ok(results[0])
     }
 }

@@ -109,7 +109,8 @@ fn parse(field: Field, text: &str) -> Option<Literal> {
                 _ => None,
             }
         }
-        Type::Lights | Type::Generic => None,
+        // No field of the state is of these.
+        _ => None,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use phenomenon_compiler::nodes::{Default, Input, Kind, Literal, Signature, Type};
+use phenomenon_compiler::nodes::{Default, Input, Kind, Signature, Type};
 
 use super::{Group, first_sentence};
 
@@ -63,6 +63,7 @@ fn kind(kind: &Kind) -> Option<String> {
             let names: Vec<&str> = fields.iter().map(|field| field.name()).collect();
             Some(format!("Changes for its scoped input: {}.", names.join(", ")))
         }
+        Kind::List(_) => Some("Takes a list of any length.".into()),
         Kind::LightLoop => Some("Evaluates its scoped input once for each light sample.".into()),
     }
 }
@@ -82,30 +83,14 @@ fn facts(input: &Input) -> String {
 fn default(default: &Default) -> String {
     match default {
         Default::Required => ", must be given".into(),
-        Default::Literal(literal) => format!(" = {}", value(literal)),
+        Default::Literal(literal) => format!(" = {literal}"),
         Default::State(field) => format!(" = state.{}", field.name()),
         Default::Node(name) => format!(" = {name}"),
     }
 }
 
-fn value(literal: &Literal) -> String {
-    let list = |numbers: &[f32]| {
-        let texts: Vec<String> = numbers.iter().map(f32::to_string).collect();
-        format!("[{}]", texts.join(", "))
-    };
-    match literal {
-        Literal::Boolean(value) => value.to_string(),
-        Literal::Integer(value) => value.to_string(),
-        Literal::Scalar(value) => value.to_string(),
-        Literal::Color(value) => list(value),
-        Literal::Vector(value) => list(value),
-        Literal::Lights(names) if names.is_empty() => "every light".into(),
-        Literal::Lights(names) => names.join(", "),
-    }
-}
-
 fn range(value_type: Type, low: f64, high: f64) -> String {
-    if matches!(value_type, Type::Boolean | Type::Lights) {
+    if !value_type.is_numeric() {
         return String::new();
     }
     let (from, to) = (low > -f64::from(f32::MAX), high < f64::from(f32::MAX));

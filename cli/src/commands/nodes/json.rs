@@ -37,7 +37,7 @@ fn described(node: &Signature) -> Value {
             let names: Vec<&str> = fields.iter().map(|field| field.name()).collect();
             object.insert("changes".into(), names.into());
         }
-        Kind::Plain | Kind::Fields(_) | Kind::LightLoop => {}
+        Kind::Plain | Kind::Fields(_) | Kind::LightLoop | Kind::List(_) => {}
     }
     object.insert("inputs".into(), node.inputs.iter().map(input).collect());
     object.insert("outputs".into(), node.outputs.iter().map(output).collect());
@@ -82,7 +82,7 @@ fn socket(name: &str, doc: &str, value_type: Type) -> Map<String, Value> {
 
 /// A limit that excludes no finite number is left out.
 fn insert_range(object: &mut Map<String, Value>, value_type: Type, low: f64, high: f64) {
-    if matches!(value_type, Type::Boolean | Type::Lights) {
+    if !value_type.is_numeric() {
         return;
     }
     if low > -f64::from(f32::MAX) {
@@ -100,6 +100,11 @@ fn value(literal: &Literal) -> Value {
         Literal::Scalar(value) => number(*value),
         Literal::Color(value) => value.iter().copied().map(number).collect(),
         Literal::Vector(value) => value.iter().copied().map(number).collect(),
+        Literal::Transform(value) => value.iter().copied().map(number).collect(),
+        Literal::String(text) => text.as_str().into(),
+        Literal::Texture(None) | Literal::NoShader => Value::Null,
+        Literal::Texture(Some(texture)) => texture.file.as_str().into(),
+        Literal::Light(name) => name.as_str().into(),
         Literal::Lights(names) => names.as_slice().into(),
     }
 }

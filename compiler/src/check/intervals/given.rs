@@ -26,14 +26,16 @@ pub fn source(number: usize) -> u64 {
 /// Type of the words of a value.
 pub fn word_type(value_type: Type) -> Type {
     match value_type {
-        Type::Boolean | Type::Integer => value_type,
+        Type::Boolean => Type::Boolean,
+        // A string is a number that stands for it.
+        Type::Integer | Type::String => Type::Integer,
         _ => Type::Scalar,
     }
 }
 
 /// Whether ranges say nothing of a component: the alpha of a colour.
 pub fn is_alpha(value_type: Type, component: usize) -> bool {
-    value_type == Type::Color && component == 3
+    matches!(value_type, Type::Color | Type::Shader) && component == 3
 }
 
 /// Every word of a type unknown.
@@ -68,8 +70,9 @@ pub fn parameter(parameter: &Parameter, at: usize, first_source: usize) -> Vec<V
         .map(|(component, &default)| {
             let mut known = match (value_type, is_alpha(value_type, component)) {
                 (Type::Boolean, _) => free(),
-                (_, true) => within(Type::Scalar, &FINITE),
-                (_, false) => within(value_type, &parameter.range),
+                (Type::Color, true) => within(Type::Scalar, &FINITE),
+                _ if !value_type.is_numeric() => Value::unknown(word_type(value_type)),
+                _ => within(value_type, &parameter.range),
             };
             // An open end is reached nowhere in particular, but the default is.
             let default = number(&known.word, default);
@@ -142,6 +145,7 @@ pub fn converted(words: &[Value], from: Type, to: Type, into: &mut Vec<Value>) {
     match (from, to) {
         (from, to) if from == to => into.extend_from_slice(words),
         (Type::Integer, Type::Scalar) => into.extend(words.iter().map(|word| word.to_real())),
+        (Type::Color, Type::Shader) => into.extend_from_slice(words),
         (Type::Integer | Type::Scalar, Type::Color) if !words.is_empty() => {
             let grey = words[0].to_real();
             into.extend([grey; 3]);

@@ -17,6 +17,7 @@ mod arriving;
 mod demands;
 mod given;
 mod pass;
+mod slots;
 mod trials;
 mod value;
 

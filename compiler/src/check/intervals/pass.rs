@@ -8,48 +8,28 @@ use crate::graph::{Binding, Node};
 use crate::nodes::{Default, Definition, FINITE, Kind, NodeType, Overload, Type};
 
 use super::arriving::{Arriving, Fit, of_overload, settled};
+use super::demands::{self, Guards};
 use super::given::{self, is_alpha, word_type};
-use super::value::{ANY_SOURCE, Value, name_of};
-use super::{demands, trials};
+use super::slots::Slots;
+use super::trials;
+use super::value::{Value, name_of};
 
 /// What is known of every value of a graph.
-pub struct Intervals {
+pub struct Intervals<'n> {
+    slots: Slots<'n>,
     /// The output words of all nodes.
     values: Vec<Value>,
-    /// First of them for each node of the draft; none where its type is unknown, or it is on a cycle.
+    /// First of them for each slot; none where nothing is known of it, as on a cycle.
     first: Vec<Option<usize>>,
     parameters: Vec<Vec<Value>>,
-    /// The nodes as they are bound; none of unknown type.
-    bound: Vec<Option<usize>>,
     guards: Guards,
     conditions: Vec<u64>,
 }
 
-/// What is known of guards.
-#[derive(Default)]
-pub struct Guards {
-    /// The sources that decide whether an input is demanded, by node and input.
-    open: HashMap<(usize, usize), u64>,
-    /// The inputs that never are, by node and input.
-    closed: Vec<(usize, usize)>,
-}
-
-impl Guards {
-    /// The sources that decide whether an input of a node that is evaluated is demanded.
-    pub fn condition(&self, node: usize, input: usize) -> u64 {
-        match self.closed.binary_search(&(node, input)) {
-            Ok(_) => ANY_SOURCE,
-            Err(_) => self.open.get(&(node, input)).copied().unwrap_or(0),
-        }
-    }
-}
-
-impl Intervals {
-    /// Goes through the nodes in `order`. `nodes` are those of the draft whose type is known, in the same
-    /// order, as they are bound.
-    pub fn of(draft: &Draft<'_>, nodes: &[Node], order: &[usize]) -> Self {
-        let mut known = 0..;
-        let bound = draft.nodes.iter().map(|node| node.node_type.and_then(|_| known.next()));
+impl<'n> Intervals<'n> {
+    /// Goes through the nodes in `order`, which has sources first. `nodes` are those of the draft as
+    /// they are bound.
+    pub fn of(draft: &Draft<'_>, nodes: &'n [Node], order: &[usize]) -> Self {
         let mut sources = 0;
         let parameters = draft.parameters.iter().enumerate().map(|(at, drafted)| {
             let words = drafted.parameter.as_ref().map(|it| given::parameter(it, at, sources));
@@ -57,45 +37,43 @@ impl Intervals {
             sources += words.len();
             words
         });
+        let parameters = parameters.collect();
+        let slots = Slots::of(draft, nodes);
+        let order = slots.ordered(order);
         let mut intervals = Self {
             values: Vec::new(),
-            first: vec![None; draft.nodes.len()],
-            parameters: parameters.collect(),
-            bound: bound.collect(),
+            first: vec![None; slots.count()],
+            slots,
+            parameters,
             guards: Guards::default(),
             conditions: Vec::new(),
         };
-        let mut pass = Pass { draft, nodes, sources, implied: HashMap::new() };
-        for &node in order {
-            if let Some(bound) = intervals.bound[node] {
-                let words = pass.node(&mut intervals, node, &nodes[bound]);
-                intervals.first[node] = Some(intervals.values.len());
+        let mut pass = Pass { draft, sources, implied: HashMap::new() };
+        for &slot in &order {
+            if let Some(node) = intervals.slots.node(slot) {
+                let words = pass.node(&mut intervals, slot, node);
+                intervals.first[slot] = Some(intervals.values.len());
                 intervals.values.extend(words);
             }
         }
         intervals.guards.closed.sort_unstable();
-        intervals.conditions = demands::conditions(draft, order, &intervals.guards);
+        intervals.conditions =
+            demands::conditions(draft, &intervals.slots, &order, &intervals.guards);
         intervals
     }
 
-    /// The inputs that are never demanded, by node and input, in order.
-    pub fn never_demanded(&self) -> &[(usize, usize)] {
-        &self.guards.closed
+    /// The inputs of nodes of the draft that are never demanded, by node and input, in order.
+    pub fn never_demanded(&self, draft: &Draft<'_>) -> impl Iterator<Item = (usize, usize)> {
+        let closed = self.guards.closed.iter().copied();
+        closed.filter(|&(node, _)| self.bound(draft, node).is_some())
     }
 
-    /// The words that arrive at an input; none for a node of unknown type.
-    pub fn arriving(
-        &self,
-        draft: &Draft<'_>,
-        nodes: &[Node],
-        node: usize,
-        input: usize,
-    ) -> Vec<Value> {
+    /// The words that arrive at an input of a node of the draft; none where the node is not bound as
+    /// it is written.
+    pub fn arriving(&self, draft: &Draft<'_>, node: usize, input: usize) -> Vec<Value> {
         let mut words = Vec::new();
-        if let Some(bound) = self.bound[node] {
-            let definition = draft.library.definition(nodes[bound].node_type);
-            let to = settled(definition, nodes[bound].overload, input);
-            self.read(draft, nodes, node, &nodes[bound], input, to, &mut words);
+        if let Some(bound) = self.bound(draft, node) {
+            self.read(draft, node, bound, input, &mut words);
         }
         words
     }
@@ -105,18 +83,23 @@ impl Intervals {
         (self.conditions[node] | self.guards.condition(node, input)) & sources == 0
     }
 
-    /// Writes the words that an input takes; without an implied node, whose words are the caller's.
-    #[expect(clippy::too_many_arguments, reason = "an input is known by all of these")]
+    /// A node of the draft, if it is bound as it is written: one over a list is not.
+    fn bound(&self, draft: &Draft<'_>, node: usize) -> Option<&'n Node> {
+        let node_type = draft.nodes.get(node)?.node_type?;
+        self.slots.node(node).filter(|bound| bound.node_type == node_type)
+    }
+
+    /// Writes the words that an input takes; of an implied node those of nothing known.
     fn read(
         &self,
         draft: &Draft<'_>,
-        nodes: &[Node],
-        at: usize,
+        slot: usize,
         node: &Node,
         input: usize,
-        to: Type,
         into: &mut Vec<Value>,
     ) {
+        let definition = draft.library.definition(node.node_type);
+        let to = settled(definition, node.overload, input);
         match &node.inputs[input] {
             Binding::Literal(literal) => given::literal(literal, to, into),
             Binding::Parameter(parameter) => {
@@ -127,14 +110,12 @@ impl Intervals {
                 }
             }
             Binding::Node { node: source, output } => {
-                let bound = self.bound.get(*source).copied().flatten();
-                let (Some(bound), Some(first)) =
-                    (bound, self.first.get(*source).copied().flatten())
-                else {
+                let first = self.first.get(*source).copied().flatten();
+                let (Some(node), Some(first)) = (self.slots.node(*source), first) else {
                     return given::unknown(to, into);
                 };
-                let definition = draft.library.definition(nodes[bound].node_type);
-                let overload = &definition.overloads[nodes[bound].overload];
+                let definition = draft.library.definition(node.node_type);
+                let overload = &definition.overloads[node.overload];
                 let outputs = &definition.signature.outputs;
                 let width = |at: usize| of_overload(outputs[at].value_type, overload).width();
                 let first = first + (0..*output).map(width).sum::<usize>();
@@ -144,14 +125,13 @@ impl Intervals {
             }
             // Given, but not understood: that is no default.
             Binding::Default
-                if draft.nodes[at].inputs.iter().any(|given| given.input == Some(input)) =>
+                if draft.nodes.get(slot).is_some_and(|drafted| {
+                    drafted.inputs.iter().any(|given| given.input == Some(input))
+                }) && self.bound(draft, slot).is_some() =>
             {
                 given::unknown(to, into);
             }
-            Binding::Default => {
-                let definition = draft.library.definition(node.node_type);
-                default(&definition.signature.inputs[input].default, to, into);
-            }
+            Binding::Default => default(&definition.signature.inputs[input].default, to, into),
         }
     }
 }
@@ -167,7 +147,6 @@ fn default(default: &Default, to: Type, into: &mut Vec<Value>) {
 
 struct Pass<'p, 'd> {
     draft: &'p Draft<'d>,
-    nodes: &'p [Node],
     /// Sources counted so far.
     sources: usize,
     /// What implied nodes yield.
@@ -176,50 +155,52 @@ struct Pass<'p, 'd> {
 
 impl Pass<'_, '_> {
     /// The words a node yields.
-    fn node(&mut self, intervals: &mut Intervals, at: usize, node: &Node) -> Vec<Value> {
+    fn node(&mut self, intervals: &mut Intervals<'_>, slot: usize, node: &Node) -> Vec<Value> {
         let draft = self.draft;
         let definition = draft.library.definition(node.node_type);
         let mut arriving = Arriving::new(definition.signature.inputs.len());
         for input in 0..definition.signature.inputs.len() {
-            let to = settled(definition, node.overload, input);
             let implied = match (&definition.signature.inputs[input].default, &node.inputs[input]) {
                 (Default::Node(name), Binding::Default) => draft.library.find(name),
                 _ => None,
             };
             match implied {
-                Some(implied) => {
-                    let words = self.implied(implied);
-                    arriving.words.extend(words);
-                }
-                None => {
-                    let nodes = self.nodes;
-                    intervals.read(draft, nodes, at, node, input, to, &mut arriving.words);
-                }
+                Some(implied) => arriving.words.extend(self.implied(implied)),
+                None => intervals.read(draft, slot, node, input, &mut arriving.words),
             }
             arriving.given[input] = node.inputs[input] != Binding::Default;
             arriving.first.push(arriving.words.len());
         }
         arriving.number();
         let overload = &definition.overloads[node.overload];
-        for input in 0..overload.guards.len() {
-            if let Some(guard) = &overload.guards[input] {
-                let mut holds = [Word::UNKNOWN];
-                let words: Vec<Word> = arriving.words.iter().map(|value| value.word).collect();
-                (guard.intervals)(&words, &mut holds);
-                match holds[0] {
-                    Word::Truth(truth) if truth.decided() == Some(false) => {
-                        arriving.never[input] = true;
-                        intervals.guards.closed.push((at, input));
-                    }
-                    Word::Truth(truth) if truth.decided() == Some(true) => {}
-                    other => {
-                        let sources = arriving.sources(other.reads());
-                        intervals.guards.open.insert((at, input), sources);
-                    }
+        self.guards(overload, slot, &mut arriving, &mut intervals.guards);
+        self.outputs(definition, overload, slot, &arriving)
+    }
+
+    /// Decides the guards of a node's inputs, as far as that can be.
+    fn guards(
+        &self,
+        overload: &Overload,
+        slot: usize,
+        arriving: &mut Arriving,
+        guards: &mut Guards,
+    ) {
+        let guarded = overload.guards.iter().enumerate();
+        for (input, guard) in guarded.filter_map(|(at, guard)| Some((at, guard.as_ref()?))) {
+            let words: Vec<Word> = arriving.words.iter().map(|value| value.word).collect();
+            let mut holds = [Word::UNKNOWN];
+            (guard.intervals)(&words, &mut holds);
+            match holds[0] {
+                Word::Truth(truth) if truth.decided() == Some(false) => {
+                    arriving.never[input] = true;
+                    guards.closed.push((slot, input));
+                }
+                Word::Truth(truth) if truth.decided() == Some(true) => {}
+                open => {
+                    guards.open.insert((slot, input), arriving.sources(open.reads()));
                 }
             }
         }
-        self.outputs(definition, overload, at, &arriving)
     }
 
     /// What an implied node yields first, with all its defaults.
@@ -287,7 +268,7 @@ impl Pass<'_, '_> {
             (Kind::Request(_) | Kind::LightLoop, _) => {
                 self.declared(definition, overload, &mut words)
             }
-            (Kind::Plain, None) => {
+            (Kind::Plain, None) | (Kind::List(_), _) => {
                 for output in &signature.outputs {
                     given::unknown(of_overload(output.value_type, overload), &mut words);
                 }

@@ -24,6 +24,7 @@ pub fn definition() -> Definition {
                     avoid: None,
                     guarded: false,
                     scoped: false,
+                    list: false,
                 },
                 Input {
                     name: "body",
@@ -36,6 +37,7 @@ pub fn definition() -> Definition {
                     avoid: None,
                     guarded: false,
                     scoped: true,
+                    list: false,
                 },
             ],
             outputs: vec![Output {

@@ -13,6 +13,9 @@ use crate::state::Field;
 
 use super::{Builder, Built, Frame, MAX_NESTED_LOOPS, mix_key};
 
+/// Words of the answer to [`Effect::ReadTexture`]: a colour and whether it is one.
+const TEXTURE_WORDS: usize = 5;
+
 impl Builder<'_> {
     /// The epoch in which the frame's scoped input is evaluated; opened the first time.
     pub(super) fn inside(&mut self, frame: &mut Frame) -> Result<EpochId, SpecialiseError> {
@@ -77,16 +80,36 @@ impl Builder<'_> {
         Ok(EpochKind::Scope { enter: changed.demand, fields: by_field })
     }
 
+    /// What the inputs of a view are given by literals and parameters.
+    fn given(&self, view: usize) -> impl Iterator<Item = Literal> {
+        (0..self.views.inputs(view)).filter_map(move |input| {
+            match self.views.resolve(view, input) {
+                Resolved::Literal(literal) => Some(literal),
+                Resolved::Parameter(parameter) => Some(self.values[parameter].clone()),
+                Resolved::State(_) | Resolved::Node { .. } => None,
+            }
+        })
+    }
+
+    /// The texture a view reads; none where none is given.
+    fn texture(&mut self, view: usize) -> Option<usize> {
+        let texture = self.given(view).find_map(|literal| match literal {
+            Literal::Texture(texture) => texture,
+            _ => None,
+        })?;
+        let known = self.result.textures.iter().position(|of| *of == texture);
+        Some(known.unwrap_or_else(|| {
+            self.result.textures.push(texture);
+            self.result.textures.len() - 1
+        }))
+    }
+
     fn light_list(&mut self, view: usize) -> usize {
-        let names =
-            (0..self.views.inputs(view)).find_map(|input| match self.views.resolve(view, input) {
-                Resolved::Literal(Literal::Lights(names)) => Some(names),
-                Resolved::Parameter(parameter) => match &self.values[parameter] {
-                    Literal::Lights(names) => Some(names.clone()),
-                    _ => None,
-                },
-                _ => None,
-            });
+        let names = self.given(view).find_map(|literal| match literal {
+            Literal::Lights(names) => Some(names),
+            Literal::Light(name) => Some(vec![name]),
+            _ => None,
+        });
         let names = names.unwrap_or_default();
         let known = self.result.light_lists.iter().position(|list| *list == names);
         known.unwrap_or_else(|| {
@@ -119,6 +142,12 @@ impl Builder<'_> {
                 }
             }
             Kind::LightLoop => self.light_loop(frame, &name)?,
+            Kind::List(_) => {
+                return Err(inconsistent(
+                    &name,
+                    "the checker puts other nodes in the place of lists",
+                ));
+            }
             Kind::Fields(_) => {
                 return Err(inconsistent(&name, "the fields of the state are not evaluated"));
             }
@@ -152,11 +181,22 @@ impl Builder<'_> {
         name: &str,
     ) -> Result<Built, SpecialiseError> {
         let Frame { key: (view, epoch), words, mut demands, .. } = frame;
+        let texture = if effect == Effect::ReadTexture {
+            let Some(texture) = self.texture(view) else {
+                // Nothing is read, so nothing is asked: transparent black, not ok.
+                let zero = self.result.uniforms.constant(0);
+                return Ok(Built { words: vec![zero; TEXTURE_WORDS], demand: None });
+            };
+            Some(texture)
+        } else {
+            None
+        };
         let context = self.context(epoch, effect.reads(), &mut demands);
         let table = (effect == Effect::LightColor).then(|| self.table(epoch)).flatten();
         let key = path_key(self.result.epochs.0[epoch].path_key, name);
         let loops = self.result.epochs.0[epoch].loops.clone();
-        let kind = InstanceKind::Request { effect, context, site: mix_key(key), loops, table };
+        let site = mix_key(key);
+        let kind = InstanceKind::Request { effect, context, site, loops, table, texture };
         let outputs = (0..self.views.signature(view).outputs.len())
             .map(|output| self.views.output_type(view, output).width())
             .sum::<usize>();

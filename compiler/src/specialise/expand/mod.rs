@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use crate::engine::lanes::Source;
 use crate::graph::{Graph, Root};
-use crate::nodes::{Literal, NodeLibrary, Type};
+use crate::nodes::{Literal, NodeLibrary};
 use crate::state::RayType;
 
 use super::reads::reads;
@@ -50,6 +50,7 @@ pub fn expand(
             slots: 0,
             light_lists: Vec::new(),
             tables: Vec::new(),
+            textures: Vec::new(),
         },
     };
     builder.run()?;
@@ -123,7 +124,7 @@ impl Builder<'_> {
         while frame.next < signature.inputs.len() {
             let input = frame.next;
             let to = self.views.input_type(view, input);
-            if to == Type::Lights {
+            if to.is_in_code() {
                 frame.next += 1;
                 continue;
             }

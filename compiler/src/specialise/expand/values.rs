@@ -103,6 +103,10 @@ impl Builder<'_> {
             let problem = format!("a {} arrives where a {} is due", from.name(), to.name());
             return Err(inconsistent(self.views.name(view), &problem));
         }
+        // A shader is called where its words are read.
+        if to == Type::Shader {
+            return Ok(built);
+        }
         if from == Type::Integer {
             built = self.integer_to_scalar(built)?;
         }

@@ -1,0 +1,245 @@
+//! Arrays and structs: values by number or by name, to any depth. They exist in files only. The
+//! checker takes them apart, so that every part is a parameter or an input of its own, called
+//! `layers[2].tint`: the engines know no compound values, and an edit of one part is an edit of it
+//! alone.
+
+use crate::diagnostics::Code;
+use crate::document::{Reader, Value, ValueKind, listed, shortened};
+use crate::nodes::Type;
+
+use super::draft::{Draft, Source, SourceKind};
+use super::literals::with_article;
+use super::sources;
+
+/// Most parts the parameters of a phenomenon may have in all.
+pub const MAX_PARTS: usize = 65_536;
+
+/// What a parameter consists of.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Shape {
+    /// One value.
+    One(Type),
+    /// Values by number.
+    Array(Vec<Shape>),
+    /// Values by name.
+    Struct(Vec<(String, Shape)>),
+}
+
+impl Shape {
+    /// With its article, for messages.
+    pub fn describe(&self) -> String {
+        match self {
+            Shape::One(value_type) => with_article(*value_type),
+            Shape::Array(elements) => match elements.first() {
+                Some(Shape::One(of)) => format!("an array of {} × {}", elements.len(), of.name()),
+                Some(Shape::Array(_)) => format!("an array of {} arrays", elements.len()),
+                Some(Shape::Struct(_)) => format!("an array of {} structs", elements.len()),
+                None => "an empty array".into(),
+            },
+            Shape::Struct(members) => {
+                let names = members.iter().map(|(name, _)| name.as_str());
+                format!("a struct of {}", listed(names))
+            }
+        }
+    }
+
+    /// Its parts by name, each one value, in order.
+    pub fn parts(&self, name: &str) -> Vec<(String, Type)> {
+        let mut parts = Vec::new();
+        self.collect_parts(name.to_owned(), &mut parts);
+        parts
+    }
+
+    fn collect_parts(&self, name: String, parts: &mut Vec<(String, Type)>) {
+        match self {
+            Shape::One(value_type) => parts.push((name, *value_type)),
+            Shape::Array(elements) => {
+                for (at, element) in elements.iter().enumerate() {
+                    element.collect_parts(element_name(&name, at), parts);
+                }
+            }
+            Shape::Struct(members) => {
+                for (member, shape) in members {
+                    shape.collect_parts(member_name(&name, member), parts);
+                }
+            }
+        }
+    }
+
+    /// Whether a value of this shape fits where `to` is wanted: the same parts, each of a type that
+    /// converts.
+    fn fits(&self, to: &Shape) -> bool {
+        match (self, to) {
+            (Shape::One(from), Shape::One(to)) => from.converts_to(*to),
+            (Shape::Array(from), Shape::Array(to)) => {
+                from.len() == to.len() && from.iter().zip(to).all(|(from, to)| from.fits(to))
+            }
+            (Shape::Struct(from), Shape::Struct(to)) => {
+                let same = |((a, from), (b, to)): (&(String, Shape), &(String, Shape))| {
+                    a == b && from.fits(to)
+                };
+                from.len() == to.len() && from.iter().zip(to).all(same)
+            }
+            _ => false,
+        }
+    }
+
+    /// How a value of it is written.
+    fn form(&self) -> String {
+        match self {
+            Shape::One(value_type) => with_article(*value_type),
+            Shape::Array(elements) => format!("write a list of {}", elements.len()),
+            Shape::Struct(members) => match members.first() {
+                Some((name, _)) => format!("write `{{ \"struct\": {{ \"{name}\": … }} }}`"),
+                None => "write `{ \"struct\": {} }`".into(),
+            },
+        }
+    }
+}
+
+/// The name of an element of an array.
+pub(super) fn element_name(array: &str, at: usize) -> String {
+    format!("{array}[{at}]")
+}
+
+/// The name of a member of a struct.
+pub(super) fn member_name(of: &str, member: &str) -> String {
+    format!("{of}.{member}")
+}
+
+/// The members of a struct literal, `{ "struct": { … } }`; none, and nothing said, for any other
+/// value.
+pub(super) fn struct_literal(value: &Value) -> Option<&Value> {
+    value.get("struct")
+}
+
+/// Takes what is given for `shape` apart: one source for each part that is given, by name. Parts of a
+/// struct may be left out.
+pub(super) fn spread<'d>(
+    reader: &mut Reader<'d>,
+    draft: &Draft<'d>,
+    shape: &Shape,
+    (value, name): (&'d Value, &str),
+    what: &str,
+    parts: &mut Vec<(String, Source<'d>)>,
+) {
+    if let Shape::One(_) = shape {
+        parts.push((name.to_owned(), sources::read(reader, value, draft)));
+        return;
+    }
+    let broken = (name.to_owned(), Source { value, kind: SourceKind::Broken });
+    if value.get("interface").is_some() {
+        let source = sources::read(reader, value, draft);
+        match source.kind {
+            SourceKind::Compound(at) if draft.compounds[at].1.fits(shape) => {
+                let (from, given) = &draft.compounds[at];
+                for ((to, _), (from, _)) in shape.parts(name).into_iter().zip(given.parts(from)) {
+                    let kind = draft.parameter_names.get(&from);
+                    let kind = kind.map_or(SourceKind::Broken, |at| SourceKind::Parameter(*at));
+                    parts.push((to, Source { value, kind }));
+                }
+                return;
+            }
+            SourceKind::Compound(at) => {
+                mismatch(reader, value, shape, what, &draft.compounds[at].1.describe());
+            }
+            SourceKind::Parameter(at) => {
+                if let Some(value_type) = draft.parameters[at].value_type {
+                    mismatch(reader, value, shape, what, &with_article(value_type));
+                }
+            }
+            _ => {}
+        }
+        parts.push(broken);
+        return;
+    }
+    match (shape, &value.kind, struct_literal(value)) {
+        (Shape::Array(elements), ValueKind::Array(given), _) => {
+            if elements.len() != given.len() {
+                let message = format!(
+                    "{what} takes {}, but {} values are given",
+                    shape.describe(),
+                    given.len()
+                );
+                let help = "an array has the length its default has; give as many values";
+                reader.report(Code::WRONG_LENGTH, value, message, help);
+                parts.push(broken);
+                return;
+            }
+            for (at, (element, given)) in elements.iter().zip(given).enumerate() {
+                let name = element_name(name, at);
+                spread(reader, draft, element, (given, &name), what, parts);
+            }
+        }
+        (Shape::Struct(members), _, Some(given)) => {
+            for member in reader.members(given, "a struct").into_iter().flatten() {
+                let Some((_, shape)) = members.iter().find(|(name, _)| *name == member.key) else {
+                    let names: Vec<&str> = members.iter().map(|(name, _)| name.as_str()).collect();
+                    reader.unknown_key(member, "the struct", &names);
+                    parts.push(broken.clone());
+                    continue;
+                };
+                let name = member_name(name, &member.key);
+                spread(reader, draft, shape, (&member.value, &name), what, parts);
+            }
+        }
+        _ => {
+            mismatch(reader, value, shape, what, &value.describe());
+            parts.push(broken);
+        }
+    }
+}
+
+fn mismatch(reader: &mut Reader<'_>, value: &Value, shape: &Shape, what: &str, given: &str) {
+    let message = format!("{what} takes {}, not {given}", shape.describe());
+    reader.report(Code::TYPE_MISMATCH, value, message, shape.form());
+}
+
+/// What is given for the list of a node: one source for each value.
+pub(super) fn list<'d>(
+    reader: &mut Reader<'d>,
+    draft: &Draft<'d>,
+    value: &'d Value,
+    what: &str,
+) -> Vec<Source<'d>> {
+    let broken = vec![Source { value, kind: SourceKind::Broken }];
+    if let ValueKind::Array(elements) = &value.kind {
+        if elements.is_empty() {
+            let help = "give at least one value";
+            reader.report(Code::WRONG_LENGTH, value, format!("{what} is an empty list"), help);
+            return broken;
+        }
+        return elements.iter().map(|element| sources::read(reader, element, draft)).collect();
+    }
+    let source = match &value.kind {
+        ValueKind::Object(_) => sources::read(reader, value, draft),
+        _ => Source { value, kind: SourceKind::Literal },
+    };
+    let help = "write `[value, …]`, where a value may be a connection, or connect an array";
+    let message = match source.kind {
+        SourceKind::Broken => return broken,
+        SourceKind::Compound(at) => match &draft.compounds[at] {
+            (name, Shape::Array(elements)) if is_flat(elements) => {
+                let parts = Shape::Array(elements.clone()).parts(name);
+                let parameters = parts.iter().map(|(name, _)| draft.parameter_names.get(name));
+                return parameters
+                    .map(|at| at.map_or(SourceKind::Broken, |at| SourceKind::Parameter(*at)))
+                    .map(|kind| Source { value, kind })
+                    .collect();
+            }
+            (name, shape) => {
+                format!("{what} takes a list, but `{}` is {}", shortened(name), shape.describe())
+            }
+        },
+        SourceKind::Literal => format!("{what} takes a list, not {}", value.describe()),
+        SourceKind::Parameter(_) | SourceKind::Node(..) => {
+            format!("{what} takes a list, but one value is connected")
+        }
+    };
+    reader.report(Code::TYPE_MISMATCH, value, message, help);
+    broken
+}
+
+fn is_flat(elements: &[Shape]) -> bool {
+    elements.iter().all(|element| matches!(element, Shape::One(_)))
+}

@@ -1,0 +1,114 @@
+//! The textures of a scene, each file opened once.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use phenomenon_compiler::effects::TextureId;
+use phenomenon_compiler::nodes::Texture;
+
+use super::Picture;
+use crate::film::{self, FilmError};
+
+/// Why a texture cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum TextureError {
+    /// The file cannot be read as a picture.
+    #[error(transparent)]
+    File(#[from] FilmError),
+    /// A pixel is infinite or NaN.
+    #[error("{file}: pixel {column}, {row} is not finite")]
+    NotFinite {
+        /// The file.
+        file: String,
+        /// From the left.
+        column: u32,
+        /// From the top.
+        row: u32,
+    },
+}
+
+/// Textures by number.
+#[derive(Debug, Default)]
+pub struct Textures {
+    numbers: BTreeMap<Texture, TextureId>,
+    pictures: Vec<Picture>,
+}
+
+impl Textures {
+    /// Opens a texture, unless it is open already.
+    ///
+    /// # Errors
+    /// The file is no picture, or holds numbers that are not finite.
+    pub fn open(&mut self, texture: &Texture) -> Result<(), TextureError> {
+        if self.numbers.contains_key(texture) {
+            return Ok(());
+        }
+        let film = film::read_as(Path::new(&texture.file), Some(texture.space))?;
+        let width = film.width() as usize;
+        let bad = film.pixels().iter().position(|pixel| !pixel.iter().all(|x| x.is_finite()));
+        if let Some(at) = bad {
+            let (column, row) = ((at % width) as u32, (at / width) as u32);
+            return Err(TextureError::NotFinite { file: texture.file.clone(), column, row });
+        }
+        self.numbers.insert(texture.clone(), TextureId(self.pictures.len() as u32));
+        self.pictures.push(Picture::new(film));
+        Ok(())
+    }
+
+    /// The number of a texture; that of none where it was not opened.
+    pub fn number(&self, texture: &Texture) -> TextureId {
+        self.numbers.get(texture).copied().unwrap_or(TextureId(u32::MAX))
+    }
+
+    /// The picture of a number.
+    pub fn picture(&self, texture: TextureId) -> Option<&Picture> {
+        self.pictures.get(texture.0 as usize)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use phenomenon_compiler::nodes::Space;
+
+    use super::*;
+    use crate::film::Film;
+
+    #[test]
+    fn a_file_is_opened_once_for_each_space() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("grey.png");
+        let mut film = Film::new(1, 1).unwrap();
+        film.set(0, 0, [0.214_041_14, 0.214_041_14, 0.214_041_14, 1.0]);
+        film::write(&film, &path, 1.0).unwrap();
+        let texture = |space| Texture { file: path.display().to_string(), space };
+        let mut textures = Textures::default();
+        for space in [Space::Srgb, Space::Linear, Space::Srgb] {
+            textures.open(&texture(space)).unwrap();
+        }
+        assert_eq!(textures.pictures.len(), 2);
+        let red = |space| {
+            let picture = textures.picture(textures.number(&texture(space))).unwrap();
+            picture.color([0.5, 0.5]).unwrap()[0]
+        };
+        // Half of sRGB is 0.214 of the light, to the precision of 8 bits.
+        assert!((red(Space::Srgb) - 0.214).abs() < 2e-3, "{}", red(Space::Srgb));
+        assert!((red(Space::Linear) - 0.5).abs() < 4e-3, "{}", red(Space::Linear));
+        let other = Texture { file: "other.png".into(), space: Space::Srgb };
+        assert!(textures.picture(textures.number(&other)).is_none());
+    }
+
+    #[test]
+    fn what_is_no_picture_of_finite_numbers_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("bad.exr");
+        let mut film = Film::new(2, 2).unwrap();
+        film.set(1, 0, [f32::NAN, 0.0, 0.0, 1.0]);
+        film::write(&film, &path, 1.0).unwrap();
+        let mut textures = Textures::default();
+        let texture = Texture { file: path.display().to_string(), space: Space::Linear };
+        let error = textures.open(&texture).unwrap_err().to_string();
+        assert!(error.ends_with("pixel 1, 0 is not finite"), "{error}");
+        let missing = Texture { file: "no_such.png".into(), space: Space::Srgb };
+        assert!(textures.open(&missing).unwrap_err().to_string().contains("no_such.png"));
+    }
+}
