@@ -22,6 +22,8 @@ pub fn settled(definition: &Definition, overload: usize, input: usize) -> Type {
 /// What arrives at a node.
 pub struct Arriving {
     pub words: Vec<Value>,
+    /// The sets of the words, numbered.
+    pub sets: Vec<Word>,
     /// First word of each input, and after them the count of words.
     pub first: Vec<usize>,
     /// Whether each input is given: a default is no choice of the author.
@@ -44,7 +46,13 @@ impl Arriving {
     pub fn new(inputs: usize) -> Self {
         let mut first = Vec::with_capacity(inputs + 1);
         first.push(0);
-        Self { words: Vec::new(), first, given: vec![false; inputs], never: vec![false; inputs] }
+        Self {
+            words: Vec::new(),
+            sets: Vec::new(),
+            first,
+            given: vec![false; inputs],
+            never: vec![false; inputs],
+        }
     }
 
     /// The words of an input.
@@ -54,9 +62,8 @@ impl Arriving {
 
     /// Numbers the words, so that what a body makes of them tells which it reads.
     pub fn number(&mut self) {
-        for (at, value) in self.words.iter_mut().enumerate() {
-            value.word = value.word.read_from(1 << at.min(63));
-        }
+        let words = self.words.iter().enumerate();
+        self.sets = words.map(|(at, value)| value.word.read_from(1 << at.min(63))).collect();
     }
 
     /// The sources of the words among `reads`.

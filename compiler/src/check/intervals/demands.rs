@@ -5,8 +5,6 @@
 //! holds only. So a complaint about a node is made only if the guards on the way to it do not depend on
 //! the sources the complaint is about.
 
-use std::collections::HashMap;
-
 use crate::check::draft::{Draft, SourceKind};
 use crate::graph::Binding;
 
@@ -17,17 +15,26 @@ use super::value::ANY_SOURCE;
 #[derive(Default)]
 pub struct Guards {
     /// The sources that decide whether an input is demanded, by slot and input.
-    pub open: HashMap<(usize, usize), u64>,
-    /// The inputs that never are, by slot and input, in order once all are known.
+    pub open: Vec<((usize, usize), u64)>,
+    /// The inputs that never are, by slot and input.
     pub closed: Vec<(usize, usize)>,
 }
 
 impl Guards {
+    /// Brings them in order, once all are known.
+    pub fn sort(&mut self) {
+        self.open.sort_unstable();
+        self.closed.sort_unstable();
+    }
+
     /// The sources that decide whether an input of a node that is evaluated is demanded.
     pub fn condition(&self, slot: usize, input: usize) -> u64 {
         match self.closed.binary_search(&(slot, input)) {
             Ok(_) => ANY_SOURCE,
-            Err(_) => self.open.get(&(slot, input)).copied().unwrap_or(0),
+            Err(_) => match self.open.binary_search_by_key(&(slot, input), |(at, _)| *at) {
+                Ok(found) => self.open[found].1,
+                Err(_) => 0,
+            },
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::emit::interval::{Interval, Whole, Word};
+use crate::emit::interval::{Interval, Whole, Word, tag};
 use crate::graph::Parameter;
 use crate::nodes::{FINITE, Literal, Type};
 use crate::state::Field;
@@ -82,7 +82,7 @@ pub fn parameter(parameter: &Parameter, at: usize, first_source: usize) -> Vec<V
             let constant =
                 known.reached.is_some_and(|reached| !reached.varies()) && known.word.is_point();
             known.sources = if constant { 0 } else { source(first_source + component) };
-            known.named(name_of("parameter", at, component))
+            known.named(name_of(const { tag("parameter") }, at, component))
         })
         .collect()
 }
@@ -111,7 +111,7 @@ pub fn field(field: Field, into: &mut Vec<Value>) {
             (_, Some(range)) => Value { reached, ..within(value_type, &range) },
             (_, None) => Value { reached, ..Value::unknown(word_type(value_type)) },
         };
-        into.push(Value { sources, ..known }.named(name_of("field", at, component)));
+        into.push(Value { sources, ..known }.named(name_of(const { tag("field") }, at, component)));
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::check::draft::Draft;
-use crate::emit::interval::Word;
+use crate::emit::interval::{Word, tag};
 use crate::graph::{Binding, Node};
 use crate::nodes::{Default, Definition, FINITE, Kind, NodeType, Overload, Type};
 
@@ -56,7 +56,7 @@ impl<'n> Intervals<'n> {
                 intervals.values.extend(words);
             }
         }
-        intervals.guards.closed.sort_unstable();
+        intervals.guards.sort();
         intervals.conditions =
             demands::conditions(draft, &intervals.slots, &order, &intervals.guards);
         intervals
@@ -187,9 +187,8 @@ impl Pass<'_, '_> {
     ) {
         let guarded = overload.guards.iter().enumerate();
         for (input, guard) in guarded.filter_map(|(at, guard)| Some((at, guard.as_ref()?))) {
-            let words: Vec<Word> = arriving.words.iter().map(|value| value.word).collect();
             let mut holds = [Word::UNKNOWN];
-            (guard.intervals)(&words, &mut holds);
+            (guard.intervals)(&arriving.sets, &mut holds);
             match holds[0] {
                 Word::Truth(truth) if truth.decided() == Some(false) => {
                     arriving.never[input] = true;
@@ -197,7 +196,7 @@ impl Pass<'_, '_> {
                 }
                 Word::Truth(truth) if truth.decided() == Some(true) => {}
                 open => {
-                    guards.open.insert((slot, input), arriving.sources(open.reads()));
+                    guards.open.push(((slot, input), arriving.sources(open.reads())));
                 }
             }
         }
@@ -235,9 +234,8 @@ impl Pass<'_, '_> {
         let mut words = Vec::new();
         match (&signature.kind, &overload.code) {
             (Kind::Plain, Some(code)) => {
-                let inputs: Vec<Word> = arriving.words.iter().map(|value| value.word).collect();
                 let mut sets = vec![Word::UNKNOWN; code.outputs];
-                (code.intervals)(&inputs, &mut sets);
+                (code.intervals)(&arriving.sets, &mut sets);
                 let reached = trials::reached(code, &arriving.words, &sets);
                 for (set, reached) in sets.into_iter().zip(reached) {
                     let sources = arriving.sources(set.reads());
@@ -275,7 +273,7 @@ impl Pass<'_, '_> {
             }
         }
         for (word, value) in words.iter_mut().enumerate() {
-            *value = value.named(name_of("output", at, word));
+            *value = value.named(name_of(const { tag("output") }, at, word));
         }
         words
     }

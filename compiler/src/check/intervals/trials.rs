@@ -13,8 +13,11 @@ const WITH_MIDDLE: usize = 3;
 /// For each output word what it reaches; none where that is not known. `sets` are the outputs of the
 /// body's intervals, which tell what each of them reads.
 pub fn reached(code: &Code, inputs: &[Value], sets: &[Word]) -> Vec<Option<Reached>> {
-    let known: Vec<bool> = sets.iter().map(|set| is_independent(inputs, set.reads())).collect();
     let mut found = vec![None; sets.len()];
+    if sets.iter().all(|set| lacks(inputs, set.reads())) {
+        return found;
+    }
+    let known: Vec<bool> = sets.iter().map(|set| is_independent(inputs, set.reads())).collect();
     if !known.contains(&true) {
         return found;
     }
@@ -54,6 +57,11 @@ pub fn reached(code: &Code, inputs: &[Value], sets: &[Word]) -> Vec<Option<Reach
 /// The positions of the input words among `reads`. The last bit stands for many.
 fn positions(inputs: &[Value], reads: u64) -> impl Iterator<Item = usize> {
     (0..inputs.len()).filter(move |&at| reads >> at.min(63) & 1 != 0)
+}
+
+/// Whether one of the input words reaches nothing: most often all there is to see.
+fn lacks(inputs: &[Value], reads: u64) -> bool {
+    positions(inputs, reads).any(|at| inputs[at].reached.is_none())
 }
 
 /// Whether all the input words reach something, and those that vary do so whatever the others are.

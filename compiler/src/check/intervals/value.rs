@@ -140,7 +140,7 @@ pub fn number(word: &Word, bits: u32) -> Option<f32> {
 }
 
 /// One of the names of values that are not made by nodes.
-pub fn name_of(kind: &'static str, at: usize, component: usize) -> u64 {
+pub fn name_of(kind: u64, at: usize, component: usize) -> u64 {
     derived(kind, &[at as u64 + 1, component as u64 + 1])
 }
 
@@ -159,6 +159,7 @@ fn rounded(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::emit::interval::tag;
 
     #[test]
     fn ranges_are_told_to_six_digits() {
@@ -171,7 +172,7 @@ mod tests {
 
     #[test]
     fn levels_are_values_that_are_reached() {
-        let name = name_of("test", 0, 0);
+        let name = name_of(tag("test"), 0, 0);
         let of = |low: f32, high: f32| Value {
             word: Word::Number(Interval::between(low, high, 0, name)),
             reached: Some(Reached::all(low, high)),

@@ -3,7 +3,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::number::Made;
-use super::{Interval, derived};
+use super::{Interval, derived, tag};
 
 impl Add for Interval {
     type Output = Self;
@@ -11,7 +11,7 @@ impl Add for Interval {
         if let (Some(a), Some(b)) = (self.point(), other.point()) {
             return Self::constant(a + b);
         }
-        let made = self.with("add", other);
+        let made = self.with(const { tag("add") }, other);
         if self.is_empty() || other.is_empty() {
             return Self::nothing(made.reads);
         }
@@ -26,14 +26,14 @@ impl Sub for Interval {
     fn sub(self, other: Self) -> Self {
         if self.is_one_with(other) && !self.is_empty() {
             let nan = self.nan || self.has_infinity();
-            let made = Made { nan, smooth: true, ..self.with("subtract", other) };
+            let made = Made { nan, smooth: true, ..self.with(const { tag("subtract") }, other) };
             return match nan {
                 true => Self::made(0.0, 0.0, made),
                 false => Self::constant(0.0),
             };
         }
         // The same operation in IEEE 754.
-        let identity = derived("subtract", &[self.identity, other.identity]);
+        let identity = derived(const { tag("subtract") }, &[self.identity, other.identity]);
         let difference = self + -other;
         match difference.point() {
             Some(_) => difference,
@@ -48,7 +48,7 @@ impl Mul for Interval {
         if let (Some(a), Some(b)) = (self.point(), other.point()) {
             return Self::constant(a * b);
         }
-        let made = self.with("multiply", other);
+        let made = self.with(const { tag("multiply") }, other);
         if self.is_empty() || other.is_empty() {
             return Self::nothing(made.reads);
         }
@@ -90,7 +90,7 @@ impl Div for Interval {
         if let (Some(a), Some(b)) = (self.point(), other.point()) {
             return Self::constant(a / b);
         }
-        let made = self.with("divide", other);
+        let made = self.with(const { tag("divide") }, other);
         if self.is_empty() || other.is_empty() {
             return Self::nothing(made.reads);
         }
@@ -118,7 +118,7 @@ impl Neg for Interval {
         if self.is_empty() {
             return self;
         }
-        let identity = derived("negate", &[self.identity]);
+        let identity = derived(const { tag("negate") }, &[self.identity]);
         // Exact, signs of zeros too.
         Self { low: -self.high, high: -self.low, identity, ..self }
     }

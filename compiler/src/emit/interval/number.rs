@@ -1,7 +1,7 @@
 //! Intervals of numbers.
 
 use super::truth::same;
-use super::{Whole, derived};
+use super::{Whole, derived, tag};
 
 /// The numbers from `low` to `high`, infinities included, and NaN where `nan` is set. Without any
 /// number, `low` is above `high`, and then NaN is what is left.
@@ -50,7 +50,7 @@ impl Interval {
         let (low, high) = if nan { (f32::INFINITY, f32::NEG_INFINITY) } else { (value, value) };
         // NaN is not its own equal: no two of them are one value.
         let bits = if nan { 0 } else { u64::from(value.to_bits()) + 1 };
-        let identity = if nan { 0 } else { derived("number", &[bits]) };
+        let identity = if nan { 0 } else { derived(const { tag("number") }, &[bits]) };
         Self { low, high, nan, smooth: true, reads: 0, identity }
     }
 
@@ -118,7 +118,7 @@ impl Interval {
         if let Some(point) = bits.point() {
             return Self::constant(number(point));
         }
-        let identity = derived("from bits", &[bits.identity]);
+        let identity = derived(const { tag("from bits") }, &[bits.identity]);
         let (negative, sign) = (bits.high < 0, if bits.high < 0 { i32::MIN } else { 0 });
         if bits.low < 0 && !negative {
             return Self { reads: bits.reads, identity, ..Self::ANYTHING };
@@ -150,7 +150,7 @@ impl Interval {
         [self.low, self.high]
     }
 
-    pub(super) fn with(self, operation: &'static str, other: Self) -> Made {
+    pub(super) fn with(self, operation: u64, other: Self) -> Made {
         Made {
             nan: self.nan || other.nan,
             smooth: self.smooth && other.smooth,
@@ -160,12 +160,7 @@ impl Interval {
     }
 
     /// From a monotone operation of one operand; NaN gives NaN.
-    pub(super) fn monotone(
-        self,
-        operation: &'static str,
-        smooth: bool,
-        each: impl Fn(f32) -> f32,
-    ) -> Self {
+    pub(super) fn monotone(self, operation: u64, smooth: bool, each: impl Fn(f32) -> f32) -> Self {
         if let Some(point) = self.point() {
             return Self::constant(each(point));
         }
@@ -185,7 +180,7 @@ impl Interval {
     pub(super) fn extreme(
         self,
         other: Self,
-        operation: &'static str,
+        operation: u64,
         each: impl Fn(f32, f32) -> f32,
     ) -> Self {
         if let (Some(a), Some(b)) = (self.point(), other.point()) {
@@ -207,7 +202,7 @@ impl Interval {
 
     /// Its square, and something added to it, rounded once.
     pub(super) fn squared_and(self, addend: Self) -> Self {
-        let made = self.with("square and", addend);
+        let made = self.with(const { tag("square and") }, addend);
         let [near, far] = match (self.has_zero(), self.low.abs() < self.high.abs()) {
             (true, further) => [0.0, if further { self.high } else { self.low }],
             (false, true) => self.ends(),

@@ -2,7 +2,7 @@
 
 use super::arithmetic::bounds;
 use super::number::Made;
-use super::{Interval, Truth, Whole, derived};
+use super::{Interval, Truth, Whole, derived, tag};
 use crate::emit::{Real, Select};
 
 impl Select<Truth> for Interval {
@@ -19,7 +19,7 @@ impl Select<Truth> for Interval {
                     nan: if_true.nan || if_false.nan,
                     smooth: false,
                     reads: mask.reads | if_true.reads | if_false.reads,
-                    identity: derived("select", &operands),
+                    identity: derived(const { tag("select") }, &operands),
                 }
             }
         }
@@ -41,12 +41,12 @@ impl Real for Interval {
         if let (Some(a), Some(b), Some(c)) = (self.point(), factor.point(), addend.point()) {
             return Self::constant(a.mul_add(b, c));
         }
-        let product = self.with("multiply add", factor);
+        let product = self.with(const { tag("multiply add") }, factor);
         let made = Made {
             nan: product.nan || addend.nan,
             smooth: product.smooth && addend.smooth,
             reads: product.reads | addend.reads,
-            identity: derived("multiply add", &[product.identity, addend.identity]),
+            identity: derived(const { tag("multiply add") }, &[product.identity, addend.identity]),
         };
         if self.is_empty() || factor.is_empty() || addend.is_empty() {
             return Self::nothing(made.reads);
@@ -68,10 +68,10 @@ impl Real for Interval {
         Self::made(low, high, Made { nan, ..made })
     }
     fn minimum(self, other: Self) -> Self {
-        self.extreme(other, "minimum", |a, b| if a < b { a } else { b })
+        self.extreme(other, const { tag("minimum") }, |a, b| if a < b { a } else { b })
     }
     fn maximum(self, other: Self) -> Self {
-        self.extreme(other, "maximum", |a, b| if a > b { a } else { b })
+        self.extreme(other, const { tag("maximum") }, |a, b| if a > b { a } else { b })
     }
     fn absolute(self) -> Self {
         if let Some(point) = self.point() {
@@ -82,7 +82,7 @@ impl Real for Interval {
         }
         let (a, b) = (self.low.abs(), self.high.abs());
         let near = if self.has_zero() { 0.0 } else { a.min(b) };
-        let identity = derived("absolute", &[self.identity]);
+        let identity = derived(const { tag("absolute") }, &[self.identity]);
         // No zero is negative here.
         Self { low: near, high: a.max(b), identity, ..self }
     }
@@ -94,31 +94,31 @@ impl Real for Interval {
             true => (-0.0, true),
             false => (self.low, self.nan),
         };
-        Self { low, nan, ..self }.monotone("square root", true, f32::sqrt)
+        Self { low, nan, ..self }.monotone(const { tag("square root") }, true, f32::sqrt)
     }
     fn floor(self) -> Self {
-        self.monotone("floor", false, f32::floor)
+        self.monotone(const { tag("floor") }, false, f32::floor)
     }
     fn ceil(self) -> Self {
-        self.monotone("ceil", false, f32::ceil)
+        self.monotone(const { tag("ceil") }, false, f32::ceil)
     }
     fn truncate(self) -> Self {
-        self.monotone("truncate", false, f32::trunc)
+        self.monotone(const { tag("truncate") }, false, f32::trunc)
     }
     fn round_even(self) -> Self {
-        self.monotone("round", false, f32::round_ties_even)
+        self.monotone(const { tag("round") }, false, f32::round_ties_even)
     }
     fn less(self, other: Self) -> Truth {
         let one = self.is_one_with(other);
         let may_hold = self.low < other.high && !one;
         let may_fail = one || self.nan || other.nan || self.high >= other.low;
-        self.compared(other, "less", may_hold, may_fail)
+        self.compared(other, const { tag("less") }, may_hold, may_fail)
     }
     fn less_equal(self, other: Self) -> Truth {
         let one = self.is_one_with(other);
         let may_hold = self.low <= other.high;
         let may_fail = self.nan || other.nan || self.high > other.low && !one;
-        self.compared(other, "less or equal", may_hold, may_fail)
+        self.compared(other, const { tag("less or equal") }, may_hold, may_fail)
     }
     fn equal(self, other: Self) -> Truth {
         let one = self.is_one_with(other);
@@ -126,7 +126,7 @@ impl Real for Interval {
         // Zeros of either sign are equal.
         let points = self.low == self.high && other.low == other.high && self.low == other.low;
         let may_fail = self.nan || other.nan || !points && !one;
-        self.compared(other, "equal", may_hold, may_fail)
+        self.compared(other, const { tag("equal") }, may_hold, may_fail)
     }
     fn not_equal(self, other: Self) -> Truth {
         !self.equal(other)
@@ -137,7 +137,7 @@ impl Real for Interval {
             (_, true) => ((self.low as i32).min(0), (self.high as i32).max(0)),
             _ => (self.low as i32, self.high as i32),
         };
-        let identity = derived("to integer", &[self.identity]);
+        let identity = derived(const { tag("to integer") }, &[self.identity]);
         match low == high {
             true => Whole::constant(low),
             false => Whole { low, high, reads: self.reads, identity },
@@ -152,7 +152,7 @@ impl Real for Interval {
             (_, true, true) => (bits(self.high), bits(self.low)),
             _ => (i32::MIN, bits(self.high)),
         };
-        let identity = derived("to bits", &[self.identity]);
+        let identity = derived(const { tag("to bits") }, &[self.identity]);
         match low == high {
             true => Whole::constant(low),
             false => Whole { low, high, reads: self.reads, identity },
@@ -161,7 +161,7 @@ impl Real for Interval {
 }
 
 impl Interval {
-    fn compared(self, other: Self, name: &'static str, may_hold: bool, may_fail: bool) -> Truth {
+    fn compared(self, other: Self, name: u64, may_hold: bool, may_fail: bool) -> Truth {
         // Without numbers on one side there is only NaN, which compares as false.
         let may_hold = may_hold && !self.is_empty() && !other.is_empty();
         let identity = derived(name, &[self.identity, other.identity]);

@@ -107,12 +107,10 @@ impl Random {
     /// The bits of a value in a set.
     fn within(&mut self, word: Word) -> u32 {
         match word {
-            Word::Truth(truth) => match truth.decided() {
-                Some(decided) => decided,
-                None => self.below(2) == 0,
+            Word::Truth(truth) => {
+                let holds = truth.decided().unwrap_or_else(|| self.below(2) == 0);
+                if holds { u32::MAX } else { 0 }
             }
-            .then_some(u32::MAX)
-            .unwrap_or(0),
             Word::Integer(Whole { low, high, .. }) => match self.below(4) {
                 0 => low as u32,
                 1 => high as u32,

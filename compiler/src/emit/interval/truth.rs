@@ -2,7 +2,7 @@
 
 use std::ops::{BitAnd, BitOr, BitXor, Not};
 
-use super::derived;
+use super::{derived, tag};
 use crate::emit::{Mask, Select};
 
 /// What a condition may be: true, false, or either.
@@ -24,7 +24,7 @@ impl Truth {
 
     /// One truth value.
     pub fn constant(value: bool) -> Self {
-        let identity = derived("truth", &[u64::from(value) + 1]);
+        let identity = derived(const { tag("truth") }, &[u64::from(value) + 1]);
         Self { may_hold: value, may_fail: !value, reads: 0, identity }
     }
 
@@ -39,12 +39,7 @@ impl Truth {
         truth.decided().map_or(truth, Self::constant)
     }
 
-    fn joined(
-        self,
-        other: Self,
-        operation: &'static str,
-        truth: impl Fn(bool, bool) -> bool,
-    ) -> Self {
+    fn joined(self, other: Self, operation: u64, truth: impl Fn(bool, bool) -> bool) -> Self {
         let possible = |mask: Self| [mask.may_fail, mask.may_hold];
         let (mut may_hold, mut may_fail) = (false, false);
         for (a, a_possible) in possible(self).into_iter().enumerate() {
@@ -71,28 +66,28 @@ pub(super) fn same(a: u64, b: u64) -> bool {
 impl BitAnd for Truth {
     type Output = Self;
     fn bitand(self, other: Self) -> Self {
-        self.joined(other, "and", |a, b| a & b)
+        self.joined(other, const { tag("and") }, |a, b| a & b)
     }
 }
 
 impl BitOr for Truth {
     type Output = Self;
     fn bitor(self, other: Self) -> Self {
-        self.joined(other, "or", |a, b| a | b)
+        self.joined(other, const { tag("or") }, |a, b| a | b)
     }
 }
 
 impl BitXor for Truth {
     type Output = Self;
     fn bitxor(self, other: Self) -> Self {
-        self.joined(other, "xor", |a, b| a ^ b)
+        self.joined(other, const { tag("xor") }, |a, b| a ^ b)
     }
 }
 
 impl Not for Truth {
     type Output = Self;
     fn not(self) -> Self {
-        self.joined(Self::constant(true), "xor", |a, b| a ^ b)
+        self.joined(Self::constant(true), const { tag("xor") }, |a, b| a ^ b)
     }
 }
 
@@ -107,7 +102,7 @@ impl Select<Truth> for Truth {
                     if_true.may_hold | if_false.may_hold,
                     if_true.may_fail | if_false.may_fail,
                     mask.reads | if_true.reads | if_false.reads,
-                    derived("select", &operands),
+                    derived(const { tag("select") }, &operands),
                 )
             }
         }

@@ -3,7 +3,7 @@
 use std::ops::{Add, BitAnd, BitOr, BitXor, Mul, Sub};
 
 use super::truth::same;
-use super::{Interval, Truth, derived};
+use super::{Interval, Truth, derived, tag};
 use crate::emit::{Int, Select};
 
 /// The integers from `low` to `high`.
@@ -25,7 +25,7 @@ impl Whole {
 
     /// One integer.
     pub fn constant(value: i32) -> Self {
-        let identity = derived("integer", &[u64::from(value as u32) + 1]);
+        let identity = derived(const { tag("integer") }, &[u64::from(value as u32) + 1]);
         Self { low: value, high: value, reads: 0, identity }
     }
 
@@ -46,7 +46,7 @@ impl Whole {
     /// From an operation on each of one set, that of its two bounds if it is monotone.
     fn of_one(
         self,
-        operation: &'static str,
+        operation: u64,
         bits: u32,
         bounds: impl Fn(i32, i32) -> Option<(i32, i32)>,
         exact: impl Fn(i32) -> i32,
@@ -63,7 +63,7 @@ impl Whole {
     fn of_bits(
         self,
         other: Self,
-        operation: &'static str,
+        operation: u64,
         bounds: Option<(i32, i32)>,
         exact: impl Fn(i32, i32) -> i32,
     ) -> Self {
@@ -85,7 +85,7 @@ macro_rules! arithmetic {
                     let exact = i64::from(a).$method(i64::from(b));
                     return Self::constant(exact as i32);
                 }
-                let identity = derived($name, &[self.identity, other.identity]);
+                let identity = derived(const { tag($name) }, &[self.identity, other.identity]);
                 let wide = |x: Self| [i64::from(x.low), i64::from(x.high)];
                 let ($a, $b) = (wide(self), wide(other));
                 let (low, high) = $bounds;
@@ -115,14 +115,14 @@ impl BitAnd for Whole {
             mask if mask >= 0 => Some((0, mask)),
             _ => None,
         });
-        self.of_bits(other, "integer and", bounds, |a, b| a & b)
+        self.of_bits(other, const { tag("integer and") }, bounds, |a, b| a & b)
     }
 }
 
 impl BitOr for Whole {
     type Output = Self;
     fn bitor(self, other: Self) -> Self {
-        self.of_bits(other, "integer or", None, |a, b| a | b)
+        self.of_bits(other, const { tag("integer or") }, None, |a, b| a | b)
     }
 }
 
@@ -135,12 +135,12 @@ impl BitXor for Whole {
                 // The sign turned: the order within each half stays.
                 Some(i32::MIN) if (set.low < 0) == (set.high < 0) => {
                     let bounds = Some((set.low ^ i32::MIN, set.high ^ i32::MIN));
-                    return self.of_bits(other, "integer xor", bounds, |a, b| a ^ b);
+                    return self.of_bits(other, const { tag("integer xor") }, bounds, |a, b| a ^ b);
                 }
                 _ => {}
             }
         }
-        self.of_bits(other, "integer xor", None, |a, b| a ^ b)
+        self.of_bits(other, const { tag("integer xor") }, None, |a, b| a ^ b)
     }
 }
 
@@ -156,7 +156,7 @@ impl Select<Truth> for Whole {
                     low: if_true.low.min(if_false.low),
                     high: if_true.high.max(if_false.high),
                     reads: mask.reads | if_true.reads | if_false.reads,
-                    identity: derived("select", &operands),
+                    identity: derived(const { tag("select") }, &operands),
                 }
             }
         }
@@ -174,7 +174,7 @@ impl Int for Whole {
             let wide = |x: i32| i32::try_from(i64::from(x) << bits).ok();
             Some((wide(low)?, wide(high)?))
         };
-        self.of_one("shift left", bits, bounds, |x| x << bits)
+        self.of_one(const { tag("shift left") }, bits, bounds, |x| x << bits)
     }
     fn shift_right(self, bits: u32) -> Self {
         let logical = |x: i32| (x as u32 >> bits) as i32;
@@ -183,28 +183,33 @@ impl Int for Whole {
             true => Some((logical(low), logical(high))),
             false => Some((0, logical(-1))),
         };
-        self.of_one("shift right", bits, bounds, logical)
+        self.of_one(const { tag("shift right") }, bits, bounds, logical)
     }
     fn shift_right_signed(self, bits: u32) -> Self {
         let bounds = |low: i32, high: i32| Some((low >> bits, high >> bits));
-        self.of_one("shift right signed", bits, bounds, |x| x >> bits)
+        self.of_one(const { tag("shift right signed") }, bits, bounds, |x| x >> bits)
     }
     fn equal(self, other: Self) -> Truth {
         let one = same(self.identity, other.identity);
         let may_hold = one || self.low <= other.high && other.low <= self.high;
         let points = self.point().is_some() && self.point() == other.point();
-        let identity = derived("integer equal", &[self.identity, other.identity]);
+        let identity = derived(const { tag("integer equal") }, &[self.identity, other.identity]);
         Truth::of_comparison(may_hold, !one && !points, self.reads | other.reads, identity)
     }
     fn less(self, other: Self) -> Truth {
         let one = same(self.identity, other.identity);
         let (may_hold, may_fail) = (self.low < other.high, self.high >= other.low);
-        let identity = derived("integer less", &[self.identity, other.identity]);
+        let identity = derived(const { tag("integer less") }, &[self.identity, other.identity]);
         Truth::of_comparison(may_hold && !one, may_fail || one, self.reads | other.reads, identity)
     }
     fn to_real(self) -> Interval {
         let (low, high) = (self.low as f32, self.high as f32);
-        Interval::between(low, high, self.reads, derived("to real", &[self.identity]))
+        Interval::between(
+            low,
+            high,
+            self.reads,
+            derived(const { tag("to real") }, &[self.identity]),
+        )
     }
     fn from_bits(self) -> Interval {
         Interval::of_bits(self)
