@@ -179,7 +179,7 @@ struct Materials<'a> {
     engine: &'a EngineArguments,
     subject: Option<Subject>,
     graphs: HashMap<PathBuf, Graph>,
-    /// Names of graphs whose idle roots were told.
+    /// Names of graphs of which was told what is not done.
     told: HashSet<String>,
     shaders: Vec<Arc<Shader>>,
     /// Time spent compiling.
@@ -246,7 +246,10 @@ impl Materials<'_> {
             }
         }
         self.know_lights(&graph, &values, material)?;
-        self.tell_roots(&graph);
+        if self.told.insert(graph.name.clone()) {
+            tell_idle_roots(&graph);
+            tell_requirements(&graph);
+        }
         match self.engine.engine.compiled() {
             Some(engine) => {
                 let start = Instant::now();
@@ -258,22 +261,6 @@ impl Materials<'_> {
             }
             None => monolith(&graph.name, &values),
         }
-    }
-
-    /// Says which roots of a graph no picture depends on, once a graph.
-    fn tell_roots(&mut self, graph: &Graph) {
-        let kinds = graph.roots.iter().map(|root| root.kind);
-        let idle: Vec<&str> =
-            kinds.filter(|kind| !CALLED_ROOTS.contains(kind)).map(RootKind::name).collect();
-        if idle.is_empty() || !self.told.insert(graph.name.clone()) {
-            return;
-        }
-        terminal::tell(&format!(
-            "note: `{}` is checked whole, but this renderer does not call shaders of type {}; it calls {}",
-            graph.name,
-            listed(idle),
-            listed(CALLED_ROOTS.iter().map(|kind| kind.name())),
-        ));
     }
 
     fn graph(&mut self, path: &Path) -> Result<Graph, Failure> {
@@ -295,6 +282,51 @@ impl Materials<'_> {
         Ok(graph)
     }
 }
+
+/// Says which roots of a graph no picture depends on.
+fn tell_idle_roots(graph: &Graph) {
+    let kinds = graph.roots.iter().map(|root| root.kind);
+    let idle: Vec<&str> =
+        kinds.filter(|kind| !CALLED_ROOTS.contains(kind)).map(RootKind::name).collect();
+    if !idle.is_empty() {
+        terminal::tell(&format!(
+            "note: `{}` is checked whole, but this renderer does not call shaders of type {}; it calls {}",
+            graph.name,
+            listed(idle),
+            listed(CALLED_ROOTS.iter().map(|kind| kind.name())),
+        ));
+    }
+}
+
+/// Says which requirements of a graph this renderer does not meet.
+fn tell_requirements(graph: &Graph) {
+    let requirements = &graph.requirements;
+    let choices = requirements.choices.iter().filter(|choice| !MET.contains(choice));
+    let mut unmet: Vec<String> =
+        choices.map(|(key, value)| format!("`{key}` to be `{value}`")).collect();
+    if requirements.texture > 1 {
+        unmet.push(format!("{} texture spaces", requirements.texture));
+    }
+    if requirements.bump > 0 {
+        unmet.push(format!("{} bump bases", requirements.bump));
+    }
+    if !requirements.derivative.is_empty() {
+        unmet.push("surface derivatives".into());
+    }
+    if requirements.volume_level > 0 {
+        unmet.push("volumes in order".into());
+    }
+    if !unmet.is_empty() {
+        let (name, unmet) = (&graph.name, unmet.join(", "));
+        terminal::tell(&format!(
+            "note: `{name}` requires {unmet}, which this renderer does not do"
+        ));
+    }
+}
+
+/// What this renderer does anyway: it traces all rays, casts shadows and hits both faces.
+const MET: [(&&str, &&str); 4] =
+    [(&"face", &"both"), (&"scanline", &"off"), (&"shadow", &"on"), (&"trace", &"on")];
 
 fn monolith(name: &str, values: &[(String, Literal)]) -> Result<Arc<dyn Shade>, Failure> {
     match monoliths::find(name, values) {

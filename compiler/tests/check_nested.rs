@@ -214,8 +214,10 @@ fn mistakes_with_phenomena_are_found() {
     let checked = check(&[("a.json", user("")), ("inner.json", broken)]);
     assert_eq!(checked.findings.len(), 1, "{:?}", checked.findings);
     assert_eq!(checked.findings[0].place.file.name, "inner.json");
-    let rootless = r#"{"phenomenon":"p","roots":{"lens":1}}"#.to_owned();
+    let rootless = r#"{"phenomenon":"p","roots":{}}"#.to_owned();
     assert_eq!(codes(&[("a.json", user("")), ("inner.json", rootless)]), [Code::MISSING_ROOT]);
+    let any_root = r#"{"phenomenon":"p","roots":{"lens":1}}"#.to_owned();
+    assert_eq!(codes(&[("a.json", user("")), ("inner.json", any_root)]), []);
     let version =
         user("").replace("{\"file\":\"inner.json\"}", "{\"file\":\"inner.json\"},\"version\":3");
     assert_eq!(

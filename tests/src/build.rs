@@ -34,14 +34,7 @@ pub fn vector(value: [f32; 3]) -> Binding {
 impl Build {
     /// Nothing yet, of the standard nodes.
     pub fn new() -> Self {
-        let graph = Graph {
-            name: "built".to_owned(),
-            doc: String::new(),
-            version: 0,
-            parameters: Vec::new(),
-            nodes: Vec::new(),
-            roots: Vec::new(),
-        };
+        let graph = Graph { name: "built".to_owned(), ..Graph::default() };
         Self { library: Arc::new(NodeLibrary::standard()), graph }
     }
 

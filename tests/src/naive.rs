@@ -164,6 +164,8 @@ fn converted(words: Vec<u32>, from: Type, to: Type) -> Vec<u32> {
             converted(converted(words, from, Type::Scalar), Type::Scalar, to)
         }
         (Type::Scalar, Type::Color) => vec![words[0], words[0], words[0], one],
+        // A shader is called where its words are read.
+        (Type::Color, Type::Shader) => words,
         _ => {
             assert_eq!(from, to);
             words
@@ -476,6 +478,7 @@ impl Evaluation<'_> {
             Some(Binding::Literal(Literal::Lights(names))) => names.clone(),
             Some(Binding::Parameter(parameter)) => match &naive.parameters[*parameter] {
                 Literal::Lights(names) => names.clone(),
+                Literal::Light(name) => vec![name.clone()],
                 other => panic!("{other:?} for lights"),
             },
             _ => Vec::new(),

@@ -300,11 +300,10 @@ impl<'a> Growing<'a> {
         let nodes = nodes.into_iter().flatten().collect();
         let graph = Graph {
             name: "random".to_owned(),
-            doc: String::new(),
-            version: 0,
             parameters: self.parameters,
             nodes,
             roots,
+            ..Graph::default()
         };
         let values = (0..3).filter_map(|_| random_value(self.random, &graph)).collect();
         (graph, values)

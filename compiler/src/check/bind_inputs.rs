@@ -3,7 +3,7 @@
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Member, Reader, shortened};
 use crate::graph::{Binding, Node, Root};
-use crate::nodes::{Default, Kind, Literal, NodeType, Signature, Type};
+use crate::nodes::{Default, Input, Kind, Literal, NodeType, Signature, Type};
 
 use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
 use super::types::{Types, overload};
@@ -131,8 +131,7 @@ fn bind_list<'d>(
         let Some(at) = input.input else { continue };
         given[at] = true;
         let declared = &signature.inputs[at];
-        let to =
-            if declared.value_type == Type::Generic { generic } else { Some(declared.value_type) };
+        let to = due(&input.source, declared, generic);
         let what = || {
             let of = shortened(draft.name(node));
             format!("input `{}` of node `{of}` ({})", declared.name, signature.name)
@@ -166,7 +165,7 @@ fn bind_node<'d>(
         let Some(at) = input.input else { continue };
         given[at] = true;
         let generic = signature.inputs[at].value_type == Type::Generic;
-        let to = if generic { types.generic(node) } else { Some(signature.inputs[at].value_type) };
+        let to = due(&input.source, &signature.inputs[at], types.generic(node));
         let what = || {
             let (name, of) = (signature.inputs[at].name, shortened(draft.name(node)));
             format!("input `{name}` of node `{of}` ({})", signature.name)
@@ -179,6 +178,17 @@ fn bind_node<'d>(
     }
     missing_inputs(reader, draft, node, signature, &given);
     bindings
+}
+
+/// The type an input takes; none where that is not known. A literal that is of no type a generic input
+/// could have is refused by all of them.
+fn due(source: &Source<'_>, input: &Input, generic: Option<Type>) -> Option<Type> {
+    if input.value_type != Type::Generic {
+        return Some(input.value_type);
+    }
+    let hopeless =
+        source.kind == SourceKind::Literal && literals::natural_type(source.value).is_none();
+    if hopeless { Some(Type::Generic) } else { generic }
 }
 
 /// Reports inputs that must be given and are not, unless a misspelt one was surely meant for it.

@@ -118,7 +118,7 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<
     let types = types::resolve(&draft, &order);
     let (nodes, roots) = bind_inputs::bind(reader, &draft, &types);
     let requirements = requirements::check(reader, object.optional("requires"), &draft);
-    light_loops::check(reader, &draft);
+    let outside_loops = light_loops::check(reader, &draft);
     stations::check(reader, &draft);
     reach::check(reader, &draft);
     let intervals = Intervals::of(&draft, &nodes, &order);
@@ -130,6 +130,7 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<
         name: name.unwrap_or_default().to_owned(),
         doc: doc.unwrap_or_default().to_owned(),
         version: version.unwrap_or_default() as i32,
+        requirements,
         parameters: draft
             .parameters
             .iter_mut()
@@ -146,7 +147,7 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<
         false => expand::expand(reader, &draft, graph)?,
     };
     let shapes = draft.compounds.into_iter().filter(|(name, _)| !name.contains(['.', '[']));
-    Some(Nested { graph, requirements, shapes: shapes.collect() })
+    Some(Nested { graph, outside_loops, shapes: shapes.collect() })
 }
 
 /// Whether the document is meant as a graph; a finding if not.

@@ -8,7 +8,7 @@ use crate::graph::Parameter;
 use crate::nodes::{FINITE, Literal, Type};
 
 use super::draft::{Draft, DraftParameter};
-use super::shapes::{MAX_PARTS, Shape, element_name, member_name, struct_literal};
+use super::shapes::{MAX_PARTS, Shape, element_name, member_name, struct_literal, unknown_member};
 use super::{literals, nodes};
 
 /// The keys of a parameter with numbers.
@@ -267,8 +267,13 @@ impl<'d> Parts<'_, 'd> {
             };
             self.reader.object(value, "a struct", &["struct"]);
             let names: Vec<&str> = members.iter().map(|(member, _)| member.key.as_str()).collect();
-            self.reader.object(literal, "the struct", &names)?;
-            given = literal.members().iter().collect();
+            for member in self.reader.members(literal, "a struct")? {
+                if names.contains(&member.key.as_str()) {
+                    given.push(member);
+                } else {
+                    unknown_member(self.reader, member, &names);
+                }
+            }
         }
         let mut shapes = Vec::with_capacity(members.len());
         let outer = self.member;

@@ -7,7 +7,7 @@ use crate::document::{Reader, Value, shortened};
 use crate::nodes::{Default, Kind, NodeLibrary, NodeType};
 use crate::state::Field;
 
-use super::draft::{Draft, SourceKind};
+use super::draft::{Draft, Source, SourceKind};
 
 /// Whether an output of a node type is of the light sample by itself, whatever its inputs.
 fn is_of_light(library: &NodeLibrary, node_type: NodeType, output: Option<usize>) -> bool {
@@ -54,8 +54,9 @@ pub fn reads_light(library: &NodeLibrary, node_type: NodeType, input: usize) -> 
 }
 
 /// Reports every node that reads the light sample and is reached from a root without passing the
-/// body of a loop.
-pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
+/// body of a loop. Tells for each parameter whether it is reached that way too: what a phenomenon
+/// reads below its own loops only, others may give it from the light sample.
+pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) -> Vec<bool> {
     // Left to defaults, per node type and input: asked for often, so it is worked out once.
     let by_default: Vec<Vec<bool>> = draft
         .library
@@ -70,18 +71,18 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
         by_default,
         visited: vec![false; draft.nodes.len()],
         reported: vec![false; draft.nodes.len()],
+        parameters: vec![false; draft.parameters.len()],
         pending: Vec::new(),
     };
     for root in &draft.roots {
         for source in root.sources() {
-            if let SourceKind::Node(node, output) = source.kind {
-                walk.arrive(reader, node, output, source.value);
-            }
+            walk.arrive(reader, source);
         }
     }
     while let Some(node) = walk.pending.pop() {
         walk.leave(reader, node);
     }
+    walk.parameters
 }
 
 /// The nodes reached from roots outside of every loop.
@@ -90,20 +91,23 @@ struct Walk<'w, 'd> {
     by_default: Vec<Vec<bool>>,
     visited: Vec<bool>,
     reported: Vec<bool>,
+    parameters: Vec<bool>,
     pending: Vec<usize>,
 }
 
 impl Walk<'_, '_> {
-    fn arrive(
-        &mut self,
-        reader: &mut Reader<'_>,
-        node: usize,
-        output: Option<usize>,
-        from: &Value,
-    ) {
+    fn arrive(&mut self, reader: &mut Reader<'_>, source: &Source<'_>) {
+        let (node, output) = match source.kind {
+            SourceKind::Node(node, output) => (node, output),
+            SourceKind::Parameter(parameter) => {
+                self.parameters[parameter] = true;
+                return;
+            }
+            SourceKind::Literal | SourceKind::Compound(_) | SourceKind::Broken => return,
+        };
         let Some(node_type) = self.draft.nodes[node].node_type else { return };
         if is_of_light(&self.draft.library, node_type, output) {
-            self.report(reader, node, Some(from), "");
+            self.report(reader, node, Some(source.value), "");
         }
         if !std::mem::replace(&mut self.visited[node], true) {
             self.pending.push(node);
@@ -114,14 +118,15 @@ impl Walk<'_, '_> {
         let draft = self.draft;
         let Some(node_type) = draft.nodes[node].node_type else { return };
         let signature = draft.library.signature(node_type);
-        let is_body =
-            |input: usize| signature.kind == Kind::LightLoop && signature.inputs[input].scoped;
-        for (source, input) in draft.reads(node) {
+        let nested = draft.nested.get(&node_type);
+        let is_body = |input: usize| match nested {
+            Some(nested) => !nested.outside_loops[input],
+            None => signature.kind == Kind::LightLoop && signature.inputs[input].scoped,
+        };
+        for input in &draft.nodes[node].inputs {
             // A connection to an input that does not exist leads nowhere.
-            if let (Some(at), SourceKind::Node(_, output)) = (input.input, input.source.kind)
-                && !is_body(at)
-            {
-                self.arrive(reader, source, output, input.source.value);
+            if input.input.is_some_and(|at| !is_body(at)) {
+                self.arrive(reader, &input.source);
             }
         }
         for at in 0..signature.inputs.len() {

@@ -163,7 +163,17 @@ fn transform<'d>(
 }
 
 fn mismatch(reader: &mut Reader<'_>, value: &Value, to: Type, what: &dyn Fn() -> String) {
-    let message = format!("{} takes {}, not {}", what(), with_article(to), value.describe());
+    let (given, remedy) = if value.get("texture").is_some() {
+        ("a texture".into(), Some("give it to a `texture_lookup` node, and connect that"))
+    } else if value.get("light").is_some() {
+        ("a light".into(), Some("give it to the input `lights` of a `light_loop`"))
+    } else {
+        (value.describe(), None)
+    };
+    let message = format!("{} takes {}, not {given}", what(), with_article(to));
+    if let Some(remedy) = remedy {
+        return reader.report(Code::TYPE_MISMATCH, value, message, remedy);
+    }
     let form = match to {
         Type::Boolean => "write `true` or `false`",
         Type::Integer => "write a whole number",

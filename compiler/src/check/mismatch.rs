@@ -50,6 +50,13 @@ fn help(library: &NodeLibrary, from: Type, to: Type, part: &str) -> String {
     if (from, to) == (Type::Scalar, Type::Integer) {
         return "connect an integer: a scalar is never rounded unasked".into();
     }
+    if to.is_uniform() {
+        let a = with_article(to);
+        return format!("{a} is never computed: give a literal, or a parameter of that type");
+    }
+    if to == Type::Shader {
+        return "connect the output of a node; a parameter would have to be a shader itself".into();
+    }
     let single = converters(library, from, to);
     if !single.is_empty() {
         return format!("put `{part}` through {}", single.join(" or "));

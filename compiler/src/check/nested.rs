@@ -14,7 +14,6 @@ use crate::nodes::{
 
 use super::draft::Draft;
 use super::graph::check;
-use super::requirements::Requirements;
 use super::shapes::Shape;
 
 /// Most files within one another.
@@ -61,8 +60,8 @@ impl Files for OnDisk {
 pub(super) struct Nested {
     /// Checked, and without nested phenomena of its own.
     pub graph: Graph,
-    /// What it requires, by itself and through what it uses.
-    pub requirements: Requirements,
+    /// For each parameter, whether it is read outside of the phenomenon's light loops.
+    pub outside_loops: Vec<bool>,
     /// The arrays and structs among its parameters.
     pub shapes: Vec<(String, Shape)>,
 }

@@ -3,33 +3,21 @@
 use std::collections::HashSet;
 
 use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, Value, ValueKind, shortened};
+use crate::document::{Reader, ValueKind, shortened};
+use crate::nodes::Type;
 
-use super::draft::{Draft, DraftRoot, Source, SourceKind};
+use super::draft::{Draft, DraftInput, DraftNode, DraftRoot, Source, SourceKind};
 
 /// Reports the nodes at the top of what no root reaches, and the unused parameters. Says nothing
 /// where a connection could not be resolved: it may be the one that is missing.
 pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
-    let sources = || {
-        let inputs = draft.nodes.iter().flat_map(|node| &node.inputs).map(|input| &input.source);
-        inputs.chain(draft.roots.iter().flat_map(DraftRoot::sources))
-    };
-    // A string is no literal anywhere, nor is a list with objects in it: they were meant to connect.
-    let connects = |value: &Value| match &value.kind {
-        ValueKind::String(_) => true,
-        ValueKind::Array(elements) => elements
-            .iter()
-            .any(|element| element.get("node").or(element.get("interface")).is_some()),
-        _ => false,
-    };
-    let broken = |source: &Source<'_>| source.kind == SourceKind::Broken || connects(source.value);
-    let rootless = draft.roots.is_empty() || draft.roots.iter().any(|root| root.colors.is_empty());
-    if draft.unresolved.get() || rootless || sources().any(broken) {
+    if !is_resolved(draft) {
         return;
     }
     unreachable_nodes(reader, draft);
     let mut used = vec![false; draft.parameters.len()];
-    for source in sources() {
+    let inputs = draft.nodes.iter().flat_map(|node| &node.inputs).map(|input| &input.source);
+    for source in inputs.chain(draft.roots.iter().flat_map(DraftRoot::sources)) {
         if let SourceKind::Parameter(parameter) = source.kind {
             used[parameter] = true;
         }
@@ -47,6 +35,40 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
             let help = format!("connect it with `{{ \"interface\": \"{name}\" }}`, or remove it");
             reader.findings.push(Finding::new(Code::UNUSED_PARAMETER, place, message, help));
         }
+    }
+}
+
+/// Whether every connection that was meant is known.
+fn is_resolved(draft: &Draft<'_>) -> bool {
+    let rootless = draft.roots.is_empty() || draft.roots.iter().any(|root| root.colors.is_empty());
+    let is_text = |node: &DraftNode<'_>, input: &DraftInput<'_>| {
+        let signature = node.node_type.map(|node_type| draft.library.signature(node_type));
+        let declared = signature.zip(input.input).map(|(of, at)| &of.inputs[at]);
+        declared.is_some_and(|declared| declared.value_type == Type::String)
+    };
+    let mut inputs =
+        draft.nodes.iter().flat_map(|node| node.inputs.iter().map(move |input| (node, input)));
+    let mut roots = draft.roots.iter().flat_map(DraftRoot::sources);
+    !draft.unresolved.get()
+        && !rootless
+        && inputs.all(|(node, input)| is_known(&input.source, is_text(node, input)))
+        && roots.all(|source| is_known(source, false))
+}
+
+/// Whether it is known what a source leads to.
+fn is_known(source: &Source<'_>, is_text: bool) -> bool {
+    match source.kind {
+        // A whole array or struct where one value is due made a finding; any part may be meant.
+        SourceKind::Broken | SourceKind::Compound(_) => false,
+        SourceKind::Parameter(_) | SourceKind::Node(..) => true,
+        // A string that is no literal was meant to connect, and so was a list with connections.
+        SourceKind::Literal => match &source.value.kind {
+            ValueKind::String(_) => is_text,
+            ValueKind::Array(elements) => !elements
+                .iter()
+                .any(|element| element.get("node").or(element.get("interface")).is_some()),
+            _ => true,
+        },
     }
 }
 

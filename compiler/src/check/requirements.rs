@@ -1,7 +1,7 @@
 //! What a phenomenon requires of the renderer: mental ray's requirements, joined over the file,
 //! its nodes and the phenomena it uses.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostics::{Code, Finding, Place};
 use crate::document::{Member, Reader, Value, shortened};
@@ -9,7 +9,7 @@ use crate::effects::Effect;
 use crate::nodes::Kind;
 
 use super::draft::Draft;
-use crate::graph::RootKind;
+use crate::graph::{Requirements, RootKind};
 
 /// The keys of `requires`.
 pub(super) const KEYS: [&str; 11] = [
@@ -26,10 +26,13 @@ pub(super) const KEYS: [&str; 11] = [
     "apply",
 ];
 
-/// Requirements that two parts of a scene cannot have differently, by key, each with who has it.
+/// Requirements as far as they are joined, with who has those that two parts of a scene cannot have
+/// differently.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Requirements {
+pub(super) struct Joined {
     exclusive: BTreeMap<&'static str, Required>,
+    /// All but the exclusive ones.
+    rest: Requirements,
 }
 
 /// One requirement.
@@ -50,7 +53,26 @@ const EXCLUSIVE: [(&str, &[&str]); 5] = [
     ("space", &["object", "camera", "mixed"]),
 ];
 
-impl Requirements {
+impl Joined {
+    /// What is required in the end.
+    pub fn finish(&self) -> Requirements {
+        let choices = self.exclusive.iter().map(|(key, required)| (*key, required.value));
+        Requirements { choices: choices.collect(), ..self.rest.clone() }
+    }
+
+    /// Joins what a nested phenomenon requires, all but what it may be used as, which is its own.
+    fn join_nested(&mut self, nested: &Requirements) {
+        self.rest.texture = self.rest.texture.max(nested.texture);
+        self.rest.bump = self.rest.bump.max(nested.bump);
+        self.rest.volume_level = self.rest.volume_level.max(nested.volume_level);
+        self.rest.derivative.extend(&nested.derivative);
+        // All must allow it.
+        self.rest.parallel = match (self.rest.parallel, nested.parallel) {
+            (Some(a), Some(b)) => Some(a && b),
+            (one, other) => one.or(other),
+        };
+    }
+
     /// Adds a requirement; where it contradicts one that is there, the finding names both.
     fn join(&mut self, reader: &mut Reader<'_>, key: &'static str, required: Required) {
         let Some(there) = self.exclusive.get_mut(key) else {
@@ -88,7 +110,7 @@ pub(super) fn check<'d>(
     value: Option<&'d Value>,
     draft: &Draft<'d>,
 ) -> Requirements {
-    let mut requirements = Requirements::default();
+    let mut requirements = Joined::default();
     if let Some(value) = value
         && let Some(members) = reader.members(value, "`requires`")
     {
@@ -101,11 +123,12 @@ pub(super) fn check<'d>(
         let name = shortened(&node.member.key);
         if let Some(nested) = draft.nested.get(&node_type) {
             let type_name = draft.library.signature(node_type).name;
-            for (key, inner) in &nested.requirements.exclusive {
+            for (key, value) in &nested.graph.requirements.choices {
                 let by = format!("node `{name}` ({type_name})");
                 let place = reader.document.place_of_key(node.member);
-                requirements.join(reader, key, Required { value: inner.value, by, place });
+                requirements.join(reader, key, Required { value, by, place });
             }
+            requirements.join_nested(&nested.graph.requirements);
         } else if let Kind::Request(effect) = draft.library.signature(node_type).kind
             && casts_rays(effect)
             && requirements.exclusive.get("trace").is_none_or(|it| it.value != "on")
@@ -116,7 +139,28 @@ pub(super) fn check<'d>(
             requirements.join(reader, "trace", Required { value: "on", by, place });
         }
     }
+    let requirements = requirements.finish();
+    check_roots(reader, value, draft, &requirements);
     requirements
+}
+
+/// Reports roots of shader types the phenomenon says it is not for.
+fn check_roots(
+    reader: &mut Reader<'_>,
+    value: Option<&Value>,
+    draft: &Draft<'_>,
+    requirements: &Requirements,
+) {
+    let Some(apply) = value.and_then(|value| value.get("apply")) else { return };
+    for root in draft.roots.iter().filter(|root| !requirements.applies_to(root.kind)) {
+        let name = root.kind.name();
+        let message = format!("the phenomenon has a root `{name}`, but `apply` does not name it");
+        let help = format!("add `{name}` to `apply`, or remove the root");
+        let place = reader.document.place_of_key(root.member);
+        let finding = Finding::new(Code::CONFLICTING_REQUIREMENTS, place, message, help);
+        let apply = reader.document.place(apply);
+        reader.findings.push(finding.with_related(apply, "what it may be used as"));
+    }
 }
 
 /// Whether an effect needs ray tracing. Light samples cast shadow rays only where shadows are on.
@@ -130,7 +174,7 @@ fn casts_rays(effect: Effect) -> bool {
     )
 }
 
-fn read<'d>(reader: &mut Reader<'d>, member: &'d Member, requirements: &mut Requirements) {
+fn read<'d>(reader: &mut Reader<'d>, member: &'d Member, requirements: &mut Joined) {
     let value = &member.value;
     let what = format!("`{}`", shortened(&member.key));
     if let Some((key, choices)) = EXCLUSIVE.into_iter().find(|(key, _)| *key == member.key) {
@@ -143,22 +187,34 @@ fn read<'d>(reader: &mut Reader<'d>, member: &'d Member, requirements: &mut Requ
         return;
     }
     match member.key.as_str() {
-        "texture" | "bump" | "volume_level" => {
-            reader.integer(value, &what, 0..=1000);
+        key @ ("texture" | "bump" | "volume_level") => {
+            if let Some(count) = reader.integer(value, &what, 0..=1000) {
+                let of = match key {
+                    "texture" => &mut requirements.rest.texture,
+                    "bump" => &mut requirements.rest.bump,
+                    _ => &mut requirements.rest.volume_level,
+                };
+                *of = count as u32;
+            }
         }
         "derivative" => {
             for order in reader.list(value, &what).unwrap_or_default() {
-                reader.integer(order, "the order of a derivative", 1..=2);
+                let order = reader.integer(order, "the order of a derivative", 1..=2);
+                requirements.rest.derivative.extend(order.map(|order| order as u8));
             }
         }
-        "parallel" => {
-            reader.boolean(value, &what);
-        }
+        "parallel" => requirements.rest.parallel = reader.boolean(value, &what),
         "apply" => {
-            let choices = RootKind::ALL.map(|kind| (kind.name(), ()));
+            let choices = RootKind::ALL.map(|kind| (kind.name(), kind));
+            let mut apply = BTreeSet::new();
             for kind in reader.list(value, &what).unwrap_or_default() {
-                reader.choice(kind, "a shader type", &choices);
+                match reader.choice(kind, "a shader type", &choices) {
+                    Some(kind) => apply.extend([kind]),
+                    // It may have been any.
+                    None => apply.extend(RootKind::ALL),
+                }
             }
+            requirements.rest.apply = Some(apply);
         }
         _ => reader.unknown_key(member, "`requires`", &KEYS),
     }

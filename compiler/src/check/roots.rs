@@ -95,8 +95,9 @@ fn read_shaders<'d>(
     let ValueKind::Array(elements) = &value.kind else {
         return vec![sources::read(reader, value, draft)];
     };
-    let is_number = |element: &Value| matches!(element.kind, ValueKind::Number(_));
-    if !elements.is_empty() && elements.iter().all(is_number) {
+    let is_shader =
+        |element: &Value| matches!(element.kind, ValueKind::Object(_) | ValueKind::Array(_));
+    if !elements.is_empty() && !elements.iter().any(is_shader) {
         return vec![sources::read(reader, value, draft)];
     }
     if elements.is_empty() {

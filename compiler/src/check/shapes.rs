@@ -3,8 +3,8 @@
 //! `layers[2].tint`: the engines know no compound values, and an edit of one part is an edit of it
 //! alone.
 
-use crate::diagnostics::Code;
-use crate::document::{Reader, Value, ValueKind, listed, shortened};
+use crate::diagnostics::{Code, Finding};
+use crate::document::{Member, Reader, Value, ValueKind, listed, nearest, shortened};
 use crate::nodes::Type;
 
 use super::draft::{Draft, Source, SourceKind};
@@ -175,7 +175,7 @@ pub(super) fn spread<'d>(
             for member in reader.members(given, "a struct").into_iter().flatten() {
                 let Some((_, shape)) = members.iter().find(|(name, _)| *name == member.key) else {
                     let names: Vec<&str> = members.iter().map(|(name, _)| name.as_str()).collect();
-                    reader.unknown_key(member, "the struct", &names);
+                    unknown_member(reader, member, &names);
                     parts.push(broken.clone());
                     continue;
                 };
@@ -188,6 +188,20 @@ pub(super) fn spread<'d>(
             parts.push(broken);
         }
     }
+}
+
+/// Reports a member the struct does not have.
+pub(super) fn unknown_member(reader: &mut Reader<'_>, member: &Member, names: &[&str]) {
+    let near = nearest(&member.key, names.iter().copied());
+    let help = match near {
+        Some(near) => near.help(),
+        None => format!("its members are {}", listed(names.iter().copied())),
+    };
+    let message = format!("the struct has no member `{}`", shortened(&member.key));
+    let place = reader.document.place_of_key(member);
+    let mut finding = Finding::new(Code::UNKNOWN_MEMBER, place, message, help);
+    finding.fix = near.and_then(|near| near.fix());
+    reader.findings.push(finding);
 }
 
 fn mismatch(reader: &mut Reader<'_>, value: &Value, shape: &Shape, what: &str, given: &str) {

@@ -123,9 +123,14 @@ fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
         return SourceKind::Parameter(parameter);
     }
     let names = || draft.parameters.iter().map(|parameter| parameter.name.as_str());
-    let near = draft.suggestions.nearest(name, names());
+    // One number is as near as another, so an index is no misspelling.
+    let near = draft.suggestions.nearest(name, names()).filter(|_| !name.ends_with(']'));
     let help = match near {
         Some(near) => near.help(),
+        None if draft.compound_names.contains_key(whole) => {
+            let parts = names().filter(|part| part.starts_with(whole) && *part != whole);
+            format!("its parts are {}", listed(parts))
+        }
         None if draft.node_names.contains_key(name) => {
             format!("for the node write `{{ \"node\": \"{name}\" }}`")
         }

@@ -35,10 +35,14 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
     let mut visited = vec![usize::MAX; draft.nodes.len()];
     let mut reported = vec![false; draft.nodes.len()];
     for (at, root) in draft.roots.iter().enumerate() {
-        let anything = draft
-            .library
-            .iter()
-            .any(|(_, definition)| forbidden(root.kind, &definition.signature.kind).is_some());
+        let nested = draft.nested.values();
+        let misapplied =
+            nested.clone().any(|nested| !nested.graph.requirements.applies_to(root.kind));
+        let anything = misapplied
+            || draft
+                .library
+                .iter()
+                .any(|(_, definition)| forbidden(root.kind, &definition.signature.kind).is_some());
         if !anything {
             continue;
         }
@@ -76,6 +80,20 @@ fn report(
         let mut nodes = inner?.graph.nodes.iter();
         nodes.find_map(|node| forbidden(station, &draft.library.signature(node.node_type).kind))
     });
+    if let Some(inner) = inner
+        && !inner.graph.requirements.applies_to(station)
+    {
+        let (name, of) = (shortened(draft.name(node)), signature.name);
+        let station = station.name();
+        let message = format!(
+            "node `{name}` ({of}) stands below the root `{station}`, which its `apply` excludes"
+        );
+        let place = reader.document.place_of_key(draft.nodes[node].member);
+        let help =
+            format!("use another phenomenon there, or add `{station}` to the `apply` of this one");
+        reader.findings.push(Finding::new(Code::CONFLICTING_REQUIREMENTS, place, message, help));
+        return true;
+    }
     let Some(why) = why else { return false };
     let name = shortened(draft.name(node));
     let station = station.name();

@@ -32,9 +32,9 @@ fn collect<'d>(value: &'d Value, named: &mut Vec<&'d Value>) {
         ValueKind::Array(elements) => elements.iter().for_each(|element| collect(element, named)),
         ValueKind::Object(members) => {
             for member in members {
-                match member.key.as_str() {
-                    "texture" => named.push(&member.value),
-                    "doc" | "editor" => {}
+                match (member.key.as_str(), &member.value.kind) {
+                    ("texture", ValueKind::String(_)) => named.push(&member.value),
+                    ("doc" | "editor", _) => {}
                     _ => collect(&member.value, named),
                 }
             }

@@ -76,7 +76,9 @@ fn resolve_node(
                     triple = true;
                     continue;
                 }
-                natural_type(input.source.value)
+                // What is no number is reported as such, whatever the others are.
+                let Some(natural) = natural_type(input.source.value) else { continue };
+                Some(natural)
             }
             _ => types.of(draft, &input.source),
         };

@@ -156,6 +156,10 @@ codes! {
         "No parameter of this name stands under `interface`.",
         wrong r#"{ "phenomenon": "a", "roots": { "material": { "interface": "tint" } } }"#,
         right r#"{ "phenomenon": "a", "interface": { "tint": { "type": "color", "default": [1, 0, 0] } }, "roots": { "material": { "interface": "tint" } } }"#;
+    UNKNOWN_MEMBER "unknown-member" Error "A member the struct does not have",
+        "The interface declares the struct with other members. Those that are not given have the defaults of their declarations.",
+        wrong r#"{ "phenomenon": "a", "interface": { "look": { "type": "struct", "members": { "tint": { "type": "color", "default": 1 } }, "default": { "struct": { "tnit": 0.5 } } } }, "roots": { "material": { "interface": "look.tint" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "look": { "type": "struct", "members": { "tint": { "type": "color", "default": 1 } }, "default": { "struct": { "tint": 0.5 } } } }, "roots": { "material": { "interface": "look.tint" } } }"#;
     TYPE_MISMATCH "type-mismatch" Error "A value of another type than the place takes",
         "An integer becomes a scalar, and a scalar a grey color, without being asked; any other change of type is a node of its own, so that the file says what is meant.",
         wrong r#"{ "phenomenon": "a", "nodes": { "s": { "type": "state" } }, "roots": { "material": { "node": "s", "output": "normal" } } }"#,
@@ -228,6 +232,6 @@ codes! {
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 2 } } }, "roots": { "material": { "node": "n" } } }"#;
     MISPLACED_EFFECT "misplaced-effect" Error "An effect its shader type does not allow",
         "Each shader type is called at a moment of its own. A displacement runs before there is a scene, an output shader on finished pixels, a light shader while a light loop asks it: not every ray can be cast and not every light asked then.",
-        wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "displacement": { "node": "t" } } }"#,
+        wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "displacement": { "node": "t", "output": "distance" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" } }, "roots": { "material": { "node": "t" } } }"#;
 }

@@ -244,8 +244,6 @@ mod tests {
             |name: &str, default, range| Parameter { range, ..Parameter::new(name, default) };
         Graph {
             name: "g".into(),
-            doc: String::new(),
-            version: 0,
             parameters: vec![
                 ranged("ior", Literal::Scalar(1.5), 0.1..=4.0),
                 ranged("tint", Literal::Color([1.0; 4]), 0.0..=1.0),
@@ -258,8 +256,7 @@ mod tests {
                 Parameter::new("on", Literal::Boolean(true)),
                 Parameter::new("lights", Literal::Lights(Vec::new())),
             ],
-            nodes: Vec::new(),
-            roots: Vec::new(),
+            ..Graph::default()
         }
     }
 

@@ -2,16 +2,18 @@
 //! and the engines start from.
 
 pub(crate) mod bind;
+mod requirements;
 mod with_root;
 
 use crate::nodes::{FINITE, Literal, NodeType, Type};
 use std::ops::RangeInclusive;
 
 pub use bind::BindError;
+pub use requirements::Requirements;
 pub use with_root::WithRootError;
 
 /// A phenomenon without findings of severity error.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Graph {
     /// Name of the phenomenon.
     pub name: String,
@@ -19,7 +21,10 @@ pub struct Graph {
     pub doc: String,
     /// Its version; 0 where the file gives none.
     pub version: i32,
-    /// Parameters of the interface, in file order.
+    /// What it requires of the renderer.
+    pub requirements: Requirements,
+    /// Parameters of the interface, in file order; arrays and structs part by part, called
+    /// `layers[2].tint`.
     pub parameters: Vec<Parameter>,
     /// Nodes; connections between them form no cycle.
     pub nodes: Vec<Node>,

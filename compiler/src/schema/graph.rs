@@ -91,6 +91,9 @@ fn sources(definitions: &mut Map<String, Value>) {
         let own = json!({ "$ref": format!("#/definitions/{name}_literal") });
         let source = json!({ "anyOf": [own, { "$ref": "#/definitions/connection" }] });
         definitions.insert(name.into(), source);
+        let values = json!({ "type": "array", "items": reference(name), "minItems": 1 });
+        let list = json!({ "anyOf": [values, reference("connection")] });
+        definitions.insert(format!("{name}_list"), list);
     }
     definitions.insert("number".into(), number);
     definitions.insert("connection".into(), connection);
@@ -273,8 +276,7 @@ fn input_schema(input: &Input) -> Value {
     };
     let doc = format!("{}{default}", input.doc);
     if input.list {
-        let values = json!({ "type": "array", "items": reference(source_name(input.value_type)), "minItems": 1 });
-        return json!({ "anyOf": [values, reference("connection")], "description": doc });
+        return described(&format!("{}_list", source_name(input.value_type)), &doc);
     }
     described(source_name(input.value_type), &doc)
 }

@@ -12,14 +12,7 @@ use crate::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
 use crate::nodes::{Literal, NodeLibrary};
 
 fn empty(name: &str) -> Graph {
-    Graph {
-        name: name.into(),
-        doc: String::new(),
-        version: 1,
-        parameters: Vec::new(),
-        nodes: Vec::new(),
-        roots: Vec::new(),
-    }
+    Graph { name: name.into(), version: 1, ..Graph::default() }
 }
 
 fn node(library: &NodeLibrary, node_type: &str, name: &str, given: &[(&str, Binding)]) -> Node {

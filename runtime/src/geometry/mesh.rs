@@ -185,13 +185,13 @@ impl Mesh {
     }
 
     /// A rectangle in the plane y = 0, `width` along x and `depth` along z, round the origin, its
-    /// outside up.
+    /// outside up. A picture on it is upright from above where -z is up.
     pub fn rectangle(width: f32, depth: f32) -> Mesh {
         let (x, z) = (width * 0.5, depth * 0.5);
         Mesh {
             positions: vec![[-x, 0.0, -z], [-x, 0.0, z], [x, 0.0, z], [x, 0.0, -z]],
             normals: Vec::new(),
-            uvs: vec![[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]],
+            uvs: vec![[0.0, 1.0], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0]],
             triangles: vec![[0, 1, 2], [0, 2, 3]],
         }
     }

@@ -91,10 +91,30 @@ pub(super) fn unit(v: DVec3) -> Option<DVec3> {
     (length > 0.0 && length.is_finite()).then(|| v / length)
 }
 
-/// Longitude from +x towards +z and latitude from +y down, both in 0..=1.
-fn sphere_coordinates(normal: [f32; 3]) -> [f32; 2] {
+/// Longitude from -z by way of -x, and latitude from -y up, both in 0..=1: a picture wrapped round has
+/// its middle at +z and, seen from outside with +y up, stands upright and is not mirrored.
+fn sphere_coordinates([x, y, z]: [f32; 3]) -> [f32; 2] {
     use std::f32::consts::{PI, TAU};
-    let longitude = normal[2].atan2(normal[0]) / TAU;
-    let longitude = if longitude < 0.0 { longitude + 1.0 } else { longitude };
-    [longitude, normal[1].clamp(-1.0, 1.0).acos() / PI]
+    [(x.atan2(z) / TAU + 0.5).clamp(0.0, 1.0), (-y.clamp(-1.0, 1.0)).acos() / PI]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_on_a_sphere_stands_upright_and_is_not_mirrored() {
+        let middle = sphere_coordinates([0.0, 0.0, 1.0]);
+        assert_eq!(middle, [0.5, 0.5]);
+        let [right, _] = sphere_coordinates([0.6, 0.0, 0.8]);
+        let [_, above] = sphere_coordinates([0.0, 0.6, 0.8]);
+        assert!(right > middle[0] && above > middle[1]);
+        for y in [-1.0, 1.0, 1.000_000_1] {
+            assert!(sphere_coordinates([0.0, y, -0.0]).iter().all(|x| (0.0..=1.0).contains(x)));
+        }
+        for x in [-0.0, 0.0, -1e-45, 1e-45] {
+            let [seam, _] = sphere_coordinates([x, 0.0, -1.0]);
+            assert!(seam == 0.0 || seam == 1.0, "{x}: {seam}");
+        }
+    }
 }
