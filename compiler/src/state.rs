@@ -1,5 +1,7 @@
 //! The state of a shading point: what mental ray's `miState` holds.
 
+use std::ops::RangeInclusive;
+
 use crate::nodes::Type;
 
 /// Why a ray was cast.
@@ -209,6 +211,27 @@ impl Field {
     /// The field called `name` in graph files.
     pub fn from_name(name: &str) -> Option<Field> {
         Field::ALL.iter().copied().find(|field| field.name() == name)
+    }
+
+    /// The values it takes, per component, where the renderer keeps it within some: what it builds
+    /// states from, and what scopes make of unit vectors. None where it may be anything.
+    pub fn range(self) -> Option<RangeInclusive<f64>> {
+        /// A product of two unit vectors, each rounded.
+        const COSINE: f64 = 1.0 + 1e-6;
+        /// Distances beyond the largest number are infinite.
+        const DISTANCE: RangeInclusive<f64> = 0.0..=f64::INFINITY;
+        match self {
+            Field::Direction | Field::Normal | Field::NormalGeom | Field::LightDirection => {
+                Some(-1.0..=1.0)
+            }
+            Field::DotNd => Some(-COSINE..=COSINE),
+            Field::Dist | Field::LightDistance => Some(DISTANCE),
+            Field::Time => Some(0.0..=1.0),
+            Field::RasterX | Field::RasterY => Some(0.0..=f64::from(f32::MAX)),
+            Field::RayType => Some(0.0..=6.0),
+            Field::ReflectionLevel | Field::RefractionLevel => Some(0.0..=f64::from(i32::MAX)),
+            _ => None,
+        }
     }
 
     /// Whether the field exists only inside a light loop.

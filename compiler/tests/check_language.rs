@@ -442,6 +442,34 @@ fn requirements_are_joined_in_the_graph() {
 }
 
 #[test]
+fn what_is_ruled_out_is_known_in_the_graph_through_phenomena() {
+    let inner = r#"{ "phenomenon": "inner",
+        "interface": { "share": { "type": "scalar", "default": 0, "min": 0, "max": 0 } },
+        "nodes": { "t": { "type": "trace_reflection" },
+                   "m": { "type": "mix", "inputs": { "weight": { "interface": "share" }, "b": { "node": "t" } } } },
+        "roots": { "material": { "node": "m" } } }"#;
+    let outer = r#"{ "phenomenon": "outer",
+        "nodes": { "one": { "type": { "file": "inner.json" } },
+                   "t": { "type": "trace_transparent" },
+                   "two": { "type": { "file": "inner.json" } },
+                   "s": { "type": "select", "inputs": { "condition": true, "if_true": { "node": "one" }, "if_false": { "node": "t" } } },
+                   "m": { "type": "add", "inputs": { "a": { "node": "s" }, "b": { "node": "two" } } } },
+        "roots": { "material": { "node": "m" } } }"#;
+    let checked = check_files(&[("outer.json", outer), ("inner.json", inner)]);
+    let graph = checked.graph.unwrap();
+    let library = NodeLibrary::standard();
+    let named: Vec<(&str, &str)> = graph
+        .ruled_out
+        .iter()
+        .map(|&(node, input)| {
+            let node = &graph.nodes[node];
+            (node.name.as_str(), library.signature(node.node_type).inputs[input].name)
+        })
+        .collect();
+    assert_eq!(named, [("one/m", "b"), ("two/m", "b"), ("s", "if_false")]);
+}
+
+#[test]
 fn parts_and_lists_are_bounded() {
     let rows = vec!["0"; 300].join(",");
     let columns = vec![format!("[{rows}]"); 300].join(",");

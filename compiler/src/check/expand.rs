@@ -61,6 +61,7 @@ pub(super) fn expand(reader: &mut Reader<'_>, draft: &Draft<'_>, graph: Graph) -
             }
         }
     }
+    let ruled_out = ruled_out(&graph, &places);
     let mut roots = Vec::with_capacity(graph.roots.len());
     for root in &graph.roots {
         let color = expansion.resolve(None, &root.color, Type::Color);
@@ -68,7 +69,25 @@ pub(super) fn expand(reader: &mut Reader<'_>, draft: &Draft<'_>, graph: Graph) -
         roots.push(Root { kind: root.kind, color, ok });
     }
     drop(expansion);
-    Some(Graph { nodes, roots, ..graph })
+    Some(Graph { nodes, roots, ruled_out, ..graph })
+}
+
+/// What is never evaluated, in the places where the nodes went.
+fn ruled_out(graph: &Graph, places: &[Placed]) -> Vec<(usize, usize)> {
+    let outer = graph.ruled_out.iter().filter_map(|&(node, input)| match places[node] {
+        Placed::Node(at) => Some((at, input)),
+        Placed::Phenomenon(..) => None,
+    });
+    let inner = places.iter().flat_map(|place| {
+        let (first, ruled_out) = match place {
+            Placed::Node(at) => (*at, &[][..]),
+            Placed::Phenomenon(first, nested) => (*first, nested.graph.ruled_out.as_slice()),
+        };
+        ruled_out.iter().map(move |&(node, input)| (first + node, input))
+    });
+    let mut all: Vec<(usize, usize)> = outer.chain(inner).collect();
+    all.sort_unstable();
+    all
 }
 
 /// Finds where the bindings of the expanded graph lead.

@@ -10,6 +10,7 @@ use crate::graph::Graph;
 use crate::nodes::NodeLibrary;
 
 use super::draft::{Draft, Suggestions};
+use super::intervals::Intervals;
 use super::nested::{Files, Nest, Nested, OnDisk};
 use super::{
     bind_inputs, cycles, dead_inputs, expand, hazards, interface, light_loops, nodes, ranges,
@@ -120,12 +121,12 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<
     let outside_loops = light_loops::check(reader, &draft);
     stations::check(reader, &draft);
     reach::check(reader, &draft);
-    ranges::check(reader, &draft);
-    hazards::check(reader, &draft);
+    let intervals = Intervals::of(&draft, &nodes, &order);
+    ranges::check(reader, &draft, &intervals);
+    hazards::check(reader, &draft, &intervals);
+    dead_inputs::check(reader, &draft, &intervals);
+    let ruled_out = intervals.ruled_out();
     textures::check(reader, nest.files());
-    if draft.nodes.iter().all(|node| node.node_type.is_some()) {
-        dead_inputs::check(reader, &draft, &nodes);
-    }
     let graph = Graph {
         name: name.unwrap_or_default().to_owned(),
         doc: doc.unwrap_or_default().to_owned(),
@@ -138,6 +139,7 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<
             .collect(),
         nodes,
         roots,
+        ruled_out,
     };
     if draft.phenomena.values().any(Option::is_none) || reader.findings.has_errors() {
         return None;

@@ -1,126 +1,134 @@
-//! Numeric hazards that are known from constants, and from the ranges of parameters and outputs.
+//! Numeric hazards: zeros that are divided by, negative numbers that are raised to powers. Told of
+//! literals, of parameters by their range, and of what is computed where a hazard is surely reached.
 
 use std::ops::RangeInclusive;
 
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, ValueKind, shortened, shown};
-use crate::nodes::FINITE;
+use crate::nodes::{Avoid, FINITE};
 
-use super::draft::{Draft, Source, SourceKind};
-
-/// What must not arrive at an input for its node to mean something.
-#[derive(Clone, Copy)]
-enum Hazard {
-    /// Zero: the node divides by it.
-    Zero,
-    /// Anything below zero: the node raises it to a power.
-    Negative,
-}
-
-impl Hazard {
-    fn name(self) -> &'static str {
-        match self {
-            Hazard::Zero => "0",
-            Hazard::Negative => "negative",
-        }
-    }
-}
-
-/// Inputs that are fine with every number by the conventions of `docs/numerics.md`, but mean
-/// nothing with some. All other limits are ranges in the signatures.
-const HAZARDS: [(&str, &str, Hazard); 3] = [
-    ("divide", "b", Hazard::Zero),
-    ("modulo", "b", Hazard::Zero),
-    ("power", "base", Hazard::Negative),
-];
+use super::draft::{Draft, DraftInput, SourceKind};
+use super::intervals::{Intervals, Reached, described};
 
 /// Reports inputs where a hazard arrives, or may.
-pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
+pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Intervals<'_>) {
     for (at, drafted) in draft.nodes.iter().enumerate() {
         let Some(node_type) = drafted.node_type else { continue };
         let signature = draft.library.signature(node_type);
-        for (name, input, hazard) in HAZARDS {
-            if name != signature.name {
+        for given in &drafted.inputs {
+            let Some(input) = given.input else { continue };
+            let declared = &signature.inputs[input];
+            let Some(avoid) = declared.avoid else { continue };
+            // What the range forbids is told of as out of range.
+            if !holds(&declared.range, avoid) {
                 continue;
             }
-            let given = drafted.inputs.iter().find(|given| given.member.key == input);
-            let Some(source) = given.map(|given| &given.source) else { continue };
-            // A range the signature declares is told of as such.
-            let declared = signature.inputs.iter().any(|it| it.name == input && it.range != FINITE);
-            if let Some(arriving) = arriving(draft, source, hazard)
-                && !declared
-            {
-                let of = shortened(draft.name(at));
-                let (does, convention) = match hazard {
-                    Hazard::Zero => ("divides by", "a division by 0 gives 0"),
-                    Hazard::Negative => ("raises to a power", "see docs/numerics.md for its value"),
-                };
-                let message =
-                    format!("node `{of}` ({name}) {does} its input `{input}`, which {arriving}");
-                let help =
-                    format!("keep such values away with its range or a `maximum`; {convention}");
-                let place = reader.document.place(source.value);
-                reader.findings.push(Finding::new(Code::NUMERIC_HAZARD, place, message, help));
+            let place = Arrival { draft, intervals, node: at, input, given };
+            let Some(arriving) = place.hazard(avoid) else { continue };
+            let (of, name) = (shortened(draft.name(at)), signature.name);
+            let (does, convention) = match avoid {
+                Avoid::Zero => ("divides by", "a division by 0 gives 0"),
+                Avoid::Negative => ("raises to a power", "see docs/numerics.md for its value"),
+            };
+            let message = format!(
+                "node `{of}` ({name}) {does} its input `{}`, which {arriving}",
+                declared.name
+            );
+            let help = format!("keep such values away with its range or a `maximum`; {convention}");
+            let place = reader.document.place(given.source.value);
+            reader.findings.push(Finding::new(Code::NUMERIC_HAZARD, place, message, help));
+        }
+    }
+}
+
+/// What arrives at an input that is given.
+struct Arrival<'a, 'd> {
+    draft: &'a Draft<'d>,
+    intervals: &'a Intervals<'a>,
+    node: usize,
+    input: usize,
+    given: &'a DraftInput<'d>,
+}
+
+impl Arrival<'_, '_> {
+    /// How the hazard arrives, if it is known to.
+    fn hazard(&self, avoid: Avoid) -> Option<String> {
+        match self.given.source.kind {
+            SourceKind::Literal => self.literal(avoid),
+            SourceKind::Parameter(at) => {
+                let parameter = self.draft.parameters[at].parameter.as_ref()?;
+                // A parameter without a range of its own says nothing.
+                let known = parameter.range != FINITE && holds(&parameter.range, avoid);
+                let words = self.words();
+                let sources = words.iter().fold(0, |sources, word| sources | word.sources);
+                let (name, range) = (shortened(&parameter.name), shown(&parameter.range));
+                (known && self.intervals.holds_at(self.node, self.input, sources))
+                    .then(|| format!("{}: parameter `{name}` is {range}", may_be(avoid)))
             }
+            SourceKind::Node(node, Some(output)) => self.computed(avoid, node, output),
+            SourceKind::Node(_, None) | SourceKind::Compound(_) | SourceKind::Broken => None,
         }
+    }
+
+    fn literal(&self, avoid: Avoid) -> Option<String> {
+        let value = self.given.source.value;
+        let elements = match &value.kind {
+            ValueKind::Array(elements) => &elements[..elements.len().min(3)],
+            _ => std::slice::from_ref(value),
+        };
+        let number = |kind: &ValueKind| match kind {
+            ValueKind::Number(text) => text.parse::<f32>().ok().map(f64::from),
+            _ => None,
+        };
+        let mut numbers = elements.iter().filter_map(|element| number(&element.kind));
+        numbers.find(|&x| holds(&(x..=x), avoid)).map(|hit| format!("is {hit}"))
+    }
+
+    fn computed(&self, avoid: Avoid, node: usize, output: usize) -> Option<String> {
+        let signature = self.draft.library.signature(self.draft.nodes[node].node_type?);
+        let words = self.words();
+        // The alpha of a colour is not computed with.
+        let (word, reached) = words.iter().take(3).find_map(|word| {
+            let reached = word.reached.filter(|reached| reaches(reached, avoid))?;
+            self.intervals.holds_at(self.node, self.input, word.sources).then_some((word, reached))
+        })?;
+        let name = shortened(self.draft.name(node));
+        let output = &signature.outputs[output];
+        let (low, high) = (f64::from(reached.low), f64::from(reached.high));
+        let of = format!("output `{}` of node `{name}`", output.name);
+        Some(match (reached.varies(), word.sources) {
+            (true, _) => format!("{}: {of} is {}", may_be(avoid), described(low, high)),
+            (false, 0) => format!("is {}, output `{}` of node `{name}`", low + 0.0, output.name),
+            (false, _) if output.value_type.is_numeric() && output.range != FINITE => {
+                format!("{}: {of} is {}", may_be(avoid), shown(&output.range))
+            }
+            (false, _) => format!("{}: {of} comes to be {}", may_be(avoid), low + 0.0),
+        })
+    }
+
+    fn words(&self) -> Vec<super::intervals::Value> {
+        self.intervals.arriving(self.draft, self.node, self.input)
     }
 }
 
-/// How the hazard arrives, if it is known to.
-fn arriving(draft: &Draft<'_>, source: &Source<'_>, hazard: Hazard) -> Option<String> {
-    match source.kind {
-        SourceKind::Literal => {
-            let elements = match &source.value.kind {
-                ValueKind::Array(elements) => &elements[..elements.len().min(3)],
-                _ => std::slice::from_ref(source.value),
-            };
-            let number = |kind: &ValueKind| match kind {
-                ValueKind::Number(text) => text.parse::<f32>().ok().map(f64::from),
-                _ => None,
-            };
-            let hit = elements
-                .iter()
-                .filter_map(|element| number(&element.kind))
-                .find(|&x| holds(&(x..=x), hazard))?;
-            Some(format!("is {hit}"))
-        }
-        SourceKind::Parameter(parameter) => {
-            let parameter = draft.parameters[parameter].parameter.as_ref()?;
-            // A parameter without a range of its own says nothing.
-            let known = parameter.range != FINITE && holds(&parameter.range, hazard);
-            let (name, range) = (shortened(&parameter.name), shown(&parameter.range));
-            known.then(|| format!("parameter `{name}` may make {} ({range})", hazard.name()))
-        }
-        SourceKind::Node(node, Some(output)) => {
-            let signature = draft.library.signature(draft.nodes[node].node_type?);
-            let output = &signature.outputs[output];
-            let known = output.range != FINITE && holds(&output.range, hazard);
-            let (name, range) = (shortened(draft.name(node)), shown(&output.range));
-            let of = format!("output `{}` of node `{name}`", output.name);
-            known.then(|| format!("{of} may make {} ({range})", hazard.name()))
-        }
-        SourceKind::Node(_, None) | SourceKind::Compound(_) | SourceKind::Broken => None,
+fn may_be(avoid: Avoid) -> &'static str {
+    match avoid {
+        Avoid::Zero => "may be 0",
+        Avoid::Negative => "may be negative",
     }
 }
 
-fn holds(range: &RangeInclusive<f64>, hazard: Hazard) -> bool {
-    match hazard {
-        Hazard::Zero => range.contains(&0.0),
-        Hazard::Negative => *range.start() < 0.0,
+fn holds(range: &RangeInclusive<f64>, avoid: Avoid) -> bool {
+    match avoid {
+        Avoid::Zero => range.contains(&0.0),
+        Avoid::Negative => *range.start() < 0.0,
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::nodes::NodeLibrary;
-
-    #[test]
-    fn every_hazard_names_an_input() {
-        let library = NodeLibrary::standard();
-        for (name, input, _) in HAZARDS {
-            let node_type = library.find(name).unwrap_or_else(|| panic!("no node `{name}`"));
-            assert!(library.signature(node_type).input(input).is_some(), "{name}.{input}");
-        }
+fn reaches(reached: &Reached, avoid: Avoid) -> bool {
+    match avoid {
+        Avoid::Zero => reached.zero,
+        // Rounding alone is no negative number: 1 - x may fall short of 0 by a bit.
+        Avoid::Negative => reached.low < -1e-6 * reached.high.abs().max(f32::MIN_POSITIVE),
     }
 }

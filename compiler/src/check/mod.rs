@@ -19,6 +19,7 @@ mod expand;
 mod graph;
 mod hazards;
 mod interface;
+mod intervals;
 mod light_loops;
 mod lists;
 mod literals;
@@ -35,7 +36,6 @@ mod stations;
 mod textures;
 mod types;
 
-pub use dead_inputs::dead_inputs;
 pub use graph::{Checked, MAX_NODES, check_graph, check_graph_with, read_graph_file};
 pub use light_loops::reads_light;
 pub use nested::{Files, MAX_FILE_DEPTH, OnDisk};

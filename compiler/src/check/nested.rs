@@ -233,6 +233,7 @@ fn definition(path: &str, nested: &Nested) -> Definition {
             value_type: parameter.value_type,
             default: Default::Literal(parameter.default.clone()),
             range: parameter.range.clone(),
+            avoid: None,
             guarded: false,
             scoped: false,
             list: false,

@@ -1,4 +1,5 @@
-//! Values outside the ranges nodes declare: literals surely, parameters by their own range.
+//! Values outside the ranges nodes declare: literals, parameters by their own range, and what is
+//! computed where it surely comes to lie outside.
 
 use std::ops::RangeInclusive;
 
@@ -7,14 +8,19 @@ use crate::document::{Reader, Value, ValueKind, shortened, shown};
 use crate::nodes::{FINITE, Input, Literal};
 
 use super::draft::{Draft, SourceKind};
+use super::intervals::{Intervals, Value as Known, described};
+
+/// By how much of itself a number may be wrong that was computed.
+const ROUNDING: f64 = 1e-6;
 
 /// Reports what arrives at inputs from outside their declared range.
-pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
+pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Intervals<'_>) {
     for (node, drafted) in draft.nodes.iter().enumerate() {
         let Some(node_type) = drafted.node_type else { continue };
         let signature = draft.library.signature(node_type);
         for given in &drafted.inputs {
-            let Some(input) = given.input.map(|at| &signature.inputs[at]) else { continue };
+            let Some(at) = given.input else { continue };
+            let input = &signature.inputs[at];
             if input.range == FINITE || !input.value_type.is_numeric() {
                 continue;
             }
@@ -31,10 +37,23 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
                     };
                     literal(reader, given.source.value, input, code, &what);
                 }
-                SourceKind::Parameter(at) => {
-                    parameter(reader, draft, at, given.source.value, input, &what);
+                SourceKind::Parameter(parameter) => {
+                    let words = intervals.arriving(draft, node, at);
+                    let sources = words.iter().fold(0, |sources, word| sources | word.sources);
+                    if intervals.holds_at(node, at, sources) {
+                        self::parameter(reader, draft, parameter, given.source.value, input, &what);
+                    }
                 }
-                SourceKind::Node(..) | SourceKind::Compound(_) | SourceKind::Broken => {}
+                SourceKind::Node(source, Some(output)) => {
+                    let words = intervals.arriving(draft, node, at);
+                    let holds = |word: &Known| intervals.holds_at(node, at, word.sources);
+                    let left = words.iter().take(3).find(|word| leaves(word, input) && holds(word));
+                    if let Some(left) = left {
+                        let source = (source, output);
+                        computed(reader, draft, source, left, given.source.value, input, &what);
+                    }
+                }
+                SourceKind::Node(_, None) | SourceKind::Compound(_) | SourceKind::Broken => {}
             }
         }
     }
@@ -92,6 +111,42 @@ fn parameter(
     let declared = reader.document.place_of_key(draft.parameters[at].member);
     let finding = Finding::new(Code::RANGE_PAST_INPUT, place, message, help);
     reader.findings.push(finding.with_related(declared, "declared here"));
+}
+
+/// Whether a word surely comes to be outside of the input's range, by more than rounding.
+fn leaves(word: &Known, input: &Input) -> bool {
+    let Some(reached) = word.reached else { return false };
+    let (low, high) = (f64::from(reached.low), f64::from(reached.high));
+    let size = low.abs().max(high.abs());
+    let past = |bound: f64, by: f64| by > ROUNDING * size.max(bound.abs());
+    let (from, to) = (*input.range.start(), *input.range.end());
+    past(from, from - low) || past(to, high - to)
+}
+
+fn computed(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    (node, output): (usize, usize),
+    word: &Known,
+    value: &Value,
+    input: &Input,
+    what: &dyn Fn() -> String,
+) {
+    let (Some(node_type), Some(reached)) = (draft.nodes[node].node_type, word.reached) else {
+        return;
+    };
+    let output = draft.library.signature(node_type).outputs[output].name;
+    let name = shortened(draft.name(node));
+    let own = described(reached.low.into(), reached.high.into());
+    let is = if word.sources == 0 { "is" } else { "may be" };
+    let range = shown(&input.range);
+    let message =
+        format!("{} takes {range}, but output `{output}` of node `{name}` {is} {own}", what());
+    let help = format!("clamp it, or change what `{name}` makes it of");
+    let place = reader.document.place(value);
+    let declared = reader.document.place_of_key(draft.nodes[node].member);
+    let finding = Finding::new(Code::RANGE_PAST_INPUT, place, message, help);
+    reader.findings.push(finding.with_related(declared, "computed here"));
 }
 
 /// Whether a range holds a number, both rounded as they are kept.

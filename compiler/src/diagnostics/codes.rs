@@ -206,12 +206,12 @@ codes! {
         "The node declares the values it is made for. Outside of them it still yields the same bits everywhere, but what they mean is not promised.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 50 } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 0.5 } } }, "roots": { "material": { "node": "n" } } }"#;
-    RANGE_PAST_INPUT "range-past-input" Warning "A parameter that may leave the range of the input it feeds",
-        "The range of the parameter is enforced where it is bound, but it is wider than what the node is made for.",
+    RANGE_PAST_INPUT "range-past-input" Warning "A value that may leave the range of the input it feeds",
+        "The range of a parameter is enforced where it is bound, but it is wider than what the node is made for; or what other nodes make of constants, parameters with ranges and the state surely comes to lie outside. It is reported only where a value outside is known to arrive: nothing is said of what is made from parameters without `min` and `max`, of values whose parts depend on one another, or of what is evaluated under a condition on the same values.",
         wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 0.5, "min": 0, "max": 2 } }, "nodes": { "n": { "type": "mix", "inputs": { "weight": { "interface": "p" } } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 0.5, "min": 0, "max": 1 } }, "nodes": { "n": { "type": "mix", "inputs": { "weight": { "interface": "p" } } } }, "roots": { "material": { "node": "n" } } }"#;
     DEAD_INPUT "dead-input" Note "A connection that is never evaluated",
-        "The inputs that decide whether this one is needed are constants, and they rule it out: the mix has weight 0, the condition is always true. What is connected here costs nothing and shows nowhere.",
+        "The inputs that decide whether this one is needed rule it out: the mix has weight 0, the condition is always true. They are constants, or computed from constants, from parameters whose range leaves no choice (ranges are enforced where parameters are bound) and from what the state can be. What is connected here costs nothing and shows nowhere.",
         wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0.5, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#;
     CONFLICTING_REQUIREMENTS "conflicting-requirements" Error "Requirements that cannot both hold",
@@ -227,7 +227,7 @@ codes! {
         wrong r#"a.json: { … "nodes": { "n": { "type": { "file": "a.json" } } } … }"#,
         right r#"a.json: { … "nodes": { "n": { "type": { "file": "b.json" } } } … }"#;
     NUMERIC_HAZARD "numeric-hazard" Warning "A number that means nothing where it arrives",
-        "A constant or the range of a parameter lets a node divide by zero or raise a negative number to a power. The result is defined, and the same in every engine, but hardly what is wanted.",
+        "A constant, the range of a parameter, or what other nodes surely make of such lets a node divide by zero or raise a negative number to a power. The result is defined, and the same in every engine, but hardly what is wanted. A node evaluated under a condition on the same values, as in `select` with `less`, is not reported.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 0 } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 2 } } }, "roots": { "material": { "node": "n" } } }"#;
     UNKNOWN_LIGHT "unknown-light" Error "A light the scene does not have",

@@ -11,6 +11,7 @@
 #[cfg(target_arch = "x86_64")]
 pub mod avx2;
 pub mod functions;
+pub mod interval;
 pub mod scalar;
 mod shapes;
 mod words;

@@ -30,6 +30,10 @@ pub struct Graph {
     pub nodes: Vec<Node>,
     /// Roots, at most one for each shader type.
     pub roots: Vec<Root>,
+    /// Inputs that are never evaluated, as literals and the ranges of parameters prove: positions of a
+    /// node and of one of its inputs, ascending. For those who look at the graph; engines find out by
+    /// themselves.
+    pub ruled_out: Vec<(usize, usize)>,
 }
 
 /// An interface parameter.

@@ -1,5 +1,6 @@
 //! A node's body compiled for every back end, with its type erased.
 
+use crate::emit::interval::{Intervals, Word};
 use crate::emit::scalar::Scalar;
 use crate::emit::{Emit, Sink, Words};
 use crate::engine::lanes::{Lanes, Placement};
@@ -28,6 +29,8 @@ pub struct Code {
     pub wide_portable: fn(lanes: &mut [Lanes], placement: &Placement<'_>),
     /// Appends its operations to a tape.
     pub record: fn(tape: &Tape, inputs: &[OpId], outputs: &mut [OpId]),
+    /// From sets of inputs to a set that holds every output; see [`crate::emit::interval`].
+    pub intervals: fn(inputs: &[Word], outputs: &mut [Word]),
     /// Words written.
     pub outputs: usize,
 }
@@ -47,6 +50,7 @@ impl Code {
             scalar_portable: scalar_portable::<B>,
             wide_portable: crate::engine::lanes::wide_portable::<B>,
             record: record::<B>,
+            intervals: intervals::<B>,
             outputs: B::OUTPUTS,
         }
     }
@@ -58,4 +62,8 @@ fn scalar_portable<B: Body>(inputs: &[u32], mut outputs: &mut [u32]) {
 
 fn record<B: Body>(tape: &Tape, inputs: &[OpId], mut outputs: &mut [OpId]) {
     B::run(tape, &(tape, inputs), &mut outputs);
+}
+
+fn intervals<B: Body>(inputs: &[Word], mut outputs: &mut [Word]) {
+    B::run(Intervals, &inputs, &mut outputs);
 }

@@ -8,6 +8,7 @@
 /// Inputs stand in the order in which they are demanded. An input with `when guard` is demanded
 /// only where `fn guard<E: Emit>(emit: E, inputs: &Inputs<E>) -> E::Mask` holds; the guard may look
 /// at earlier inputs only. A body must not let an input that was not demanded show in its outputs.
+/// `avoid zero` and `avoid negative` mark inputs that take any number, but mean nothing with such.
 ///
 /// After the group's name may stand `generic` (bodies over `T: Components<E::Real>`, used with
 /// scalar, vector and color inputs; all outputs generic), `request Effect` (no body), or
@@ -19,7 +20,7 @@ macro_rules! node {
     (
         $(#[doc = $doc:literal])+
         $name:ident in $group:ident generic, source $source:literal,
-        inputs { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, in $irange:expr)? $(, when $guard:ident)?;)* }
+        inputs { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, in $irange:expr)? $(, avoid $avoid:ident)? $(, when $guard:ident)?;)* }
         outputs { $($(#[doc = $odoc:literal])+ $output:ident : generic $(, in $orange:expr)?;)+ }
     ) => {
         /// What arrives at the node.
@@ -43,7 +44,7 @@ macro_rules! node {
         pub fn definition() -> $crate::nodes::Definition {
             $crate::nodes::Definition {
                 signature: $crate::node!(@signature [$($doc)+] $name $group $source,
-                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [$($guard)?] [];)*]
+                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [$($avoid)?] [$($guard)?] [];)*]
                     [$($output [$($odoc)+] generic [$($orange)?];)+]
                     $crate::nodes::Kind::Plain),
                 overloads: vec![
@@ -66,7 +67,7 @@ macro_rules! node {
         pub fn definition() -> $crate::nodes::Definition {
             $crate::nodes::Definition {
                 signature: $crate::node!(@signature [$($doc)+] $name $group $source,
-                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [] [];)*]
+                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [] [] [];)*]
                     [$($output [$($odoc)+] $otype [$($orange)?];)+]
                     $crate::nodes::Kind::Request($crate::effects::Effect::$effect)),
                 overloads: vec![$crate::nodes::Overload {
@@ -95,7 +96,7 @@ macro_rules! node {
         pub fn definition() -> $crate::nodes::Definition {
             $crate::nodes::Definition {
                 signature: $crate::node!(@signature [$($doc)+] $name $group $source,
-                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [] [];)* $scoped [$($sdoc)+] $stype [$sdefault] [$($srange)?] [] [scoped];]
+                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [] [] [];)* $scoped [$($sdoc)+] $stype [$sdefault] [$($srange)?] [] [] [scoped];]
                     [$($output [$($odoc)+] $otype [$($orange)?];)+]
                     $crate::nodes::Kind::Scope(vec![$($crate::state::Field::$field),+])),
                 overloads: vec![$crate::nodes::Overload {
@@ -111,7 +112,7 @@ macro_rules! node {
     (
         $(#[doc = $doc:literal])+
         $name:ident in $group:ident, source $source:literal,
-        inputs { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, in $irange:expr)? $(, when $guard:ident)?;)* }
+        inputs { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, in $irange:expr)? $(, avoid $avoid:ident)? $(, when $guard:ident)?;)* }
         outputs { $($(#[doc = $odoc:literal])+ $output:ident : $otype:ident $(, in $orange:expr)?;)+ }
     ) => {
         $crate::node!(@inputs [$($input : $itype,)*]);
@@ -122,7 +123,7 @@ macro_rules! node {
         pub fn definition() -> $crate::nodes::Definition {
             $crate::nodes::Definition {
                 signature: $crate::node!(@signature [$($doc)+] $name $group $source,
-                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [$($guard)?] [];)*]
+                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [$($avoid)?] [$($guard)?] [];)*]
                     [$($output [$($odoc)+] $otype [$($orange)?];)+]
                     $crate::nodes::Kind::Plain),
                 overloads: vec![$crate::nodes::Overload {
@@ -329,11 +330,14 @@ macro_rules! node {
 
     (@range) => { $crate::nodes::FINITE };
     (@range $range:expr) => { $range };
+    (@avoid) => { None };
+    (@avoid zero) => { Some($crate::nodes::Avoid::Zero) };
+    (@avoid negative) => { Some($crate::nodes::Avoid::Negative) };
     (@flag) => { false };
     (@flag $word:ident) => { true };
 
     (@signature [$($doc:literal)+] $name:ident $group:ident $source:literal,
-        [$($input:ident [$($idoc:literal)+] $itype:ident [$default:expr] [$($irange:expr)?] [$($guard:ident)?] [$($scoped:ident)?];)*]
+        [$($input:ident [$($idoc:literal)+] $itype:ident [$default:expr] [$($irange:expr)?] [$($avoid:ident)?] [$($guard:ident)?] [$($scoped:ident)?];)*]
         [$($output:ident [$($odoc:literal)+] $otype:ident [$($orange:expr)?];)+]
         $kind:expr) => {
         $crate::nodes::Signature {
@@ -347,6 +351,7 @@ macro_rules! node {
                 value_type: $crate::node!(@kind $itype),
                 default: $default.into(),
                 range: $crate::node!(@range $($irange)?),
+                avoid: $crate::node!(@avoid $($avoid)?),
                 guarded: $crate::node!(@flag $($guard)?),
                 scoped: $crate::node!(@flag $($scoped)?),
                 list: false,

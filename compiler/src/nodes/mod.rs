@@ -21,8 +21,8 @@ mod types;
 pub use code::{Body, Code};
 pub use library::{Definition, NodeLibrary, NodeType, Overload, paragraph};
 pub use signature::{
-    BLACK, Default, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE, Signature,
-    WHITE, node, required, state,
+    Avoid, BLACK, Default, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE,
+    Signature, WHITE, node, required, state,
 };
 pub use types::{Literal, Space, Texture, Type};
 

@@ -3,7 +3,9 @@
 use std::fmt::Write;
 use std::ops::RangeInclusive;
 
-use super::{Default, Definition, FINITE, GROUPS, Kind, NOT_NEGATIVE, NodeLibrary, Signature};
+use super::{
+    Avoid, Default, Definition, FINITE, GROUPS, Kind, NOT_NEGATIVE, NodeLibrary, Signature,
+};
 
 /// `docs/nodes.md`: every node of `library` in Markdown, by group.
 pub fn reference(library: &NodeLibrary) -> String {
@@ -41,6 +43,11 @@ fn write_node(page: &mut String, definition: &Definition) {
         }
         if input.scoped {
             doc.push_str(" *Evaluated inside.*");
+        }
+        match input.avoid {
+            Some(Avoid::Zero) => doc.push_str(" *Should not be 0.*"),
+            Some(Avoid::Negative) => doc.push_str(" *Should not be negative.*"),
+            None => {}
         }
         let _ = writeln!(
             page,

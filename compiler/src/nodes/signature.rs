@@ -84,6 +84,16 @@ pub const NOT_NEGATIVE: RangeInclusive<f64> = 0.0..=(f32::MAX as f64);
 /// Every finite number above zero.
 pub const POSITIVE: RangeInclusive<f64> = (f32::MIN_POSITIVE as f64)..=(f32::MAX as f64);
 
+/// What should not arrive at an input: the conventions of `docs/numerics.md` say what comes of it, but
+/// it is hardly what is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Avoid {
+    /// Zero: the node divides by the input.
+    Zero,
+    /// Numbers below zero: the node raises the input to a power.
+    Negative,
+}
+
 /// An input of a node. Inputs are listed in the order in which they are demanded.
 #[derive(Clone, Debug)]
 pub struct Input {
@@ -97,6 +107,8 @@ pub struct Input {
     pub default: Default,
     /// Values that may arrive, per component (colours: r, g and b).
     pub range: RangeInclusive<f64>,
+    /// What should not arrive, though it is within the range.
+    pub avoid: Option<Avoid>,
     /// Demanded only where a guard over earlier inputs holds.
     pub guarded: bool,
     /// Evaluated in the scope or loop this node opens.

@@ -1,6 +1,5 @@
 //! What is drawn: cards with sockets, and wires between them, before anything has a place.
 
-use crate::check::dead_inputs;
 use crate::graph::{Binding, Graph, Root};
 use crate::nodes::{Default, Definition, Input, NodeLibrary, Type};
 
@@ -125,14 +124,8 @@ impl<'a> Diagram<'a> {
         if boxes > limit {
             return Err(ShowError::TooManyBoxes { boxes, limit });
         }
-        let mut builder = Builder {
-            graph,
-            library,
-            definitions: definitions(graph, library)?,
-            ruled_out: vec![],
-        };
+        let builder = Builder { graph, library, definitions: definitions(graph, library)? };
         builder.require_bindings()?;
-        builder.ruled_out = dead_inputs(graph, library);
         Ok(builder.diagram())
     }
 }
@@ -169,8 +162,6 @@ struct Builder<'a> {
     graph: &'a Graph,
     library: &'a NodeLibrary,
     definitions: Vec<&'a Definition>,
-    /// Node and input, ascending.
-    ruled_out: Vec<(usize, usize)>,
 }
 
 impl<'a> Builder<'a> {
@@ -288,7 +279,7 @@ impl<'a> Builder<'a> {
             value_type,
             guarded: input.guarded,
             scoped: input.scoped,
-            ruled_out: self.ruled_out.binary_search(&at).is_ok(),
+            ruled_out: self.graph.ruled_out.binary_search(&at).is_ok(),
             given: self.given(binding).unwrap_or_else(stands_in),
         }
     }

@@ -235,7 +235,9 @@ fn settings<'d>(
         };
         let parts: Option<Vec<(String, Place)>> = elements
             .iter()
-            .map(|element| setting(element, folder).map(|text| (text, reader.document.place(element))))
+            .map(|element| {
+                setting(element, folder).map(|text| (text, reader.document.place(element)))
+            })
             .collect();
         let Some(parts) = parts else {
             let expected =

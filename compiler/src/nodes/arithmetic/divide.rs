@@ -10,7 +10,7 @@ node! {
         /// What is divided.
         a: generic = 1.0;
         /// What it is divided by.
-        b: generic = 1.0;
+        b: generic = 1.0, avoid zero;
     }
     outputs {
         /// The quotient.

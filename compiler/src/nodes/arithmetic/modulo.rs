@@ -11,7 +11,7 @@ node! {
         /// What is divided.
         a: generic = 0.0;
         /// The period.
-        b: generic = 1.0;
+        b: generic = 1.0, avoid zero;
     }
     outputs {
         /// The remainder.

@@ -9,7 +9,7 @@ node! {
     source "",
     inputs {
         /// What is raised.
-        base: generic = 1.0;
+        base: generic = 1.0, avoid negative;
         /// The power.
         exponent: scalar = 1.0;
     }

@@ -4,8 +4,7 @@ use crate::nodes::{
 
 /// What the list of nodes holds of this node.
 pub fn definition() -> Definition {
-    let overload =
-        |generic| Overload { generic: Some(generic), code: None, guards: vec![None; 2] };
+    let overload = |generic| Overload { generic: Some(generic), code: None, guards: vec![None; 2] };
     Definition {
         signature: Signature {
             name: "element",
@@ -24,6 +23,7 @@ pub fn definition() -> Definition {
                     range: FINITE,
                     guarded: false,
                     scoped: false,
+                    avoid: None,
                     list: false,
                 },
                 Input {
@@ -34,6 +34,7 @@ pub fn definition() -> Definition {
                     range: FINITE,
                     guarded: false,
                     scoped: false,
+                    avoid: None,
                     list: true,
                 },
             ],

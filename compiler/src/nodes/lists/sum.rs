@@ -5,8 +5,7 @@ use crate::nodes::{
 
 /// What the list of nodes holds of this node.
 pub fn definition() -> Definition {
-    let overload =
-        |generic| Overload { generic: Some(generic), code: None, guards: vec![None; 1] };
+    let overload = |generic| Overload { generic: Some(generic), code: None, guards: vec![None; 1] };
     Definition {
         signature: Signature {
             name: "sum",
@@ -24,6 +23,7 @@ pub fn definition() -> Definition {
                     range: SUMMAND,
                     guarded: false,
                     scoped: false,
+                    avoid: None,
                     list: true,
                 },
             ],

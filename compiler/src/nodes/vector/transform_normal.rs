@@ -43,17 +43,20 @@ mod tests {
     #[test]
     fn stays_at_right_angles_to_the_surface() {
         // The plane x + y = 0, flattened to y' = y / 2, has the normal (1, 2).
-        let turned = numbers!(normal = [1.0, 1.0, 0.0], transform = scaled(1.0, 0.5, 1.0) => result);
+        let turned =
+            numbers!(normal = [1.0, 1.0, 0.0], transform = scaled(1.0, 0.5, 1.0) => result);
         let length = 5.0_f64.sqrt();
         assert_close(&turned, &[1.0 / length, 2.0 / length, 0.0], 2e-7, 0.0);
-        let mirrored = numbers!(normal = [1.0, 0.0, 0.0], transform = scaled(-1.0, 1.0, 1.0) => result);
+        let mirrored =
+            numbers!(normal = [1.0, 0.0, 0.0], transform = scaled(-1.0, 1.0, 1.0) => result);
         assert_eq!(mirrored, [-1.0, 0.0, 0.0]);
     }
 
     #[test]
     fn neither_tiny_nor_huge_maps_lose_it() {
         for size in [1e-38, 1e-20, 1.0, 1e19] {
-            let up = numbers!(normal = [0.0, 0.0, 2.0], transform = scaled(size, size, size) => result);
+            let up =
+                numbers!(normal = [0.0, 0.0, 2.0], transform = scaled(size, size, size) => result);
             assert_eq!(up, [0.0, 0.0, 1.0], "{size}");
         }
         let lost = numbers!(normal = [0.0, 0.0, 1.0], transform = scaled(0.0, 0.0, 0.0) => result);

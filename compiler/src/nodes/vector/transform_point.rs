@@ -35,7 +35,10 @@ mod tests {
             0.0, 0.0, 1.0, 0.0, //
             10.0, 20.0, 30.0, 1.0,
         ]);
-        assert_eq!(numbers!(point = [1.0, 2.0, 3.0], transform = rows => result), [8.0, 22.0, 33.0]);
+        assert_eq!(
+            numbers!(point = [1.0, 2.0, 3.0], transform = rows => result),
+            [8.0, 22.0, 33.0]
+        );
     }
 
     #[test]

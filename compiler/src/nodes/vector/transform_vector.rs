@@ -36,6 +36,9 @@ mod tests {
             0.0, 0.0, 1.0, 0.0, //
             10.0, 20.0, 30.0, 1.0,
         ]);
-        assert_eq!(numbers!(vector = [1.0, 2.0, 3.0], transform = rows => result), [-2.0, 2.0, 3.0]);
+        assert_eq!(
+            numbers!(vector = [1.0, 2.0, 3.0], transform = rows => result),
+            [-2.0, 2.0, 3.0]
+        );
     }
 }
