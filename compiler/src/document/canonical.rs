@@ -6,6 +6,8 @@ use super::{Document, Member, Value, ValueKind};
 
 /// Longest line a list or an object is kept on, in characters.
 const WIDTH: usize = 120;
+/// Most levels that are indented: deeper ones must still fit a line.
+const INDENTED: usize = 20;
 
 /// The document as text, two spaces a level. The file, its sections (`interface`, `nodes`,
 /// `objects` …) and what they list have one line for each member; in what is listed, such as a node,
@@ -51,7 +53,8 @@ impl Layout<'_> {
             _ => return self.text.extend(one_line(value, usize::MAX)),
         };
         self.text.push_str(open);
-        if depth < 2 {
+        let of_leaves = |value: &Value| matches!(&value.kind, ValueKind::Array(elements) if elements.iter().all(is_leaf));
+        if depth < 2 && !of_leaves(value) {
             self.list(&elements, depth);
             self.break_line(depth);
             self.text.push_str(close);
@@ -132,8 +135,12 @@ impl Layout<'_> {
     fn break_line(&mut self, depth: usize) {
         self.text.push('\n');
         self.line = self.text.len();
-        self.text.extend(std::iter::repeat_n(' ', 2 * depth));
+        self.text.extend(std::iter::repeat_n(' ', 2 * depth.min(INDENTED)));
     }
+}
+
+fn is_leaf(value: &Value) -> bool {
+    !matches!(value.kind, ValueKind::Array(_) | ValueKind::Object(_))
 }
 
 /// Whether a section may stand on one line: it lists nothing, or one thing without parts.
