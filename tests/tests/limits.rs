@@ -8,7 +8,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use phenomenon_compiler::check::{
-    Checked, MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, check_graph, read_graph_file,
+    Checked, MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_PARTS, MAX_SHADERS,
+    check_graph, read_graph_file,
 };
 use phenomenon_compiler::diagnostics::{KEPT_FINDINGS, SHOWN_FINDINGS};
 use phenomenon_compiler::document::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES, read};
@@ -40,7 +41,7 @@ const fn limit(
     Limit { what, most, said, past }
 }
 
-const GRAPHS: [Limit; 12] = [
+const GRAPHS: [Limit; 14] = [
     limit("bytes of a graph or a scene", MAX_FILE_BYTES as u64, "`file-too-large`", huge_file),
     limit("values in a file", MAX_VALUES as u64, "`file-too-large`", many_values),
     limit("nesting of lists and objects", MAX_DEPTH as u64, "`too-deep`", deep_nesting),
@@ -50,6 +51,18 @@ const GRAPHS: [Limit; 12] = [
         MAX_NODES as u64,
         "`too-many-nodes`",
         doubling_nests,
+    ),
+    limit(
+        "parts of an interface, each element of an array one",
+        MAX_PARTS as u64,
+        "`too-many-parts`",
+        long_array,
+    ),
+    limit(
+        "shaders in the list of a root",
+        MAX_SHADERS as u64,
+        "`number-out-of-range`",
+        many_shaders,
     ),
     limit("files within one another", MAX_FILE_DEPTH as u64, "`recursion`", deep_files),
     limit("findings kept for a file", KEPT_FINDINGS as u64, "a number", many_findings),
@@ -216,6 +229,31 @@ fn doubling_nests(folder: &Path) -> String {
         std::fs::write(folder.join(format!("{level}.json")), text).unwrap();
     }
     code(&read_graph_file(&folder.join("0.json"), &NodeLibrary::standard()))
+}
+
+fn long_array(_: &Path) -> String {
+    let with = |length: usize| {
+        let zeros = vec!["0"; length].join(",");
+        let parameter =
+            format!(r#"{{"type":"array","items":{{"type":"scalar"}},"default":[{zeros}]}}"#);
+        let nodes = r#""s":{"type":"sum","inputs":{"values":{"interface":"p"}}}"#;
+        phenomenon(nodes, r#"{"node":"s"}"#).replacen(
+            "{",
+            &format!(r#"{{"interface":{{"p":{parameter}}},"#),
+            1,
+        )
+    };
+    graph(&with(100));
+    code(&check(&with(MAX_PARTS + 1)))
+}
+
+fn many_shaders(_: &Path) -> String {
+    let with = |count: usize| {
+        let shaders = vec![r#"{"node":"n"}"#; count].join(",");
+        phenomenon(r#""n":{"type":"mix"}"#, &format!("[{shaders}]"))
+    };
+    graph(&with(MAX_SHADERS));
+    code(&check(&with(MAX_SHADERS + 1)))
 }
 
 fn deep_files(folder: &Path) -> String {
