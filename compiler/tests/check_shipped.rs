@@ -1,8 +1,9 @@
-//! Every graph that is shipped is checked without a finding.
+//! Every graph that is shipped is checked without a finding, and every file is in canonical form.
 
 use std::path::{Path, PathBuf};
 
 use phenomenon_compiler::check::read_graph_file;
+use phenomenon_compiler::document::{canonical, read_file};
 use phenomenon_compiler::nodes::NodeLibrary;
 
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
@@ -28,5 +29,26 @@ fn shipped_graphs_have_no_findings() {
         let text: Vec<String> = checked.findings.iter().map(ToString::to_string).collect();
         assert!(text.is_empty(), "{}", text.join("\n"));
         assert!(checked.graph.is_some());
+    }
+}
+
+/// `phenomenon fmt graphs/*/*.json scenes/*.json` writes them so, as does this test with
+/// `PHENOMENON_BLESS=1`. Files in `graphs/broken` stay as their mistakes were made.
+#[test]
+fn shipped_files_are_in_canonical_form() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut paths = Vec::new();
+    files(&root.join("graphs"), &mut paths);
+    let graphs = paths.len();
+    files(&root.join("scenes"), &mut paths);
+    assert!(graphs >= 7 && paths.len() >= graphs + 2, "{paths:?}");
+    for path in paths {
+        let document = read_file(&path).unwrap();
+        let form = canonical(&document);
+        if std::env::var_os("PHENOMENON_BLESS").is_some() {
+            std::fs::write(&path, &form).unwrap();
+        } else {
+            assert!(form == document.file.text, "run `phenomenon fmt {}`", path.display());
+        }
     }
 }

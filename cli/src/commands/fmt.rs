@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use phenomenon_compiler::document::{canonical, read_file};
+use phenomenon_compiler::document::{MAX_FILE_BYTES, canonical, read_file};
 
 use crate::failure::{Failure, Outcome};
 use crate::report;
@@ -37,6 +37,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             continue;
         }
         let name = path.display();
+        if text.len() > MAX_FILE_BYTES {
+            let problem = format!("the canonical form of `{name}` is too large to be read again");
+            return Err(Failure::new(problem, "split the file, or leave it as it is"));
+        }
         if arguments.check {
             terminal::print(&format!("{name}\n"))?;
             if outcome == Outcome::Fine {

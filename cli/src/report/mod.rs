@@ -6,12 +6,9 @@ mod json;
 mod sarif;
 
 use clap::ValueEnum;
-use phenomenon_compiler::diagnostics::{Finding, Severity};
+use phenomenon_compiler::diagnostics::{Finding, SHOWN_FINDINGS, Severity};
 
 pub use human::tell;
-
-/// Most findings that are shown; the rest is a number.
-pub const SHOWN_FINDINGS: usize = 1000;
 
 /// How findings are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

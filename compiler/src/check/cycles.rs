@@ -11,7 +11,7 @@ use crate::document::{Reader, shortened};
 use super::draft::Draft;
 
 /// Nodes named in a message, and places shown with it. A cycle may be as long as the file.
-const SHOWN: usize = 32;
+pub const MAX_CYCLE_SHOWN: usize = 32;
 
 /// Every node, sources before what reads them. Nodes on a cycle, and what reads them, come last.
 /// Each knot of cycles is one finding. Iterative throughout: chains are as long as files.
@@ -111,10 +111,10 @@ fn report(reader: &mut Reader<'_>, draft: &Draft<'_>, path: &[usize]) {
         names.join(" → ")
     };
     let back = format!("`{}`", shortened(draft.name(start)));
-    let shown = if path.len() <= SHOWN {
+    let shown = if path.len() <= MAX_CYCLE_SHOWN {
         format!("{} → {back}", arrow(path))
     } else {
-        let (head, tail) = (SHOWN / 2, SHOWN / 2);
+        let (head, tail) = (MAX_CYCLE_SHOWN / 2, MAX_CYCLE_SHOWN / 2);
         let hidden = path.len() - head - tail;
         let last = &path[path.len() - tail..];
         format!("{} → ({hidden} more) → {} → {back}", arrow(&path[..head]), arrow(last))
@@ -131,7 +131,7 @@ fn report(reader: &mut Reader<'_>, draft: &Draft<'_>, path: &[usize]) {
     let place = reader.document.place(first.source.value);
     let help = "break the cycle at one of its connections";
     let mut finding = Finding::new(Code::CYCLE, place, message, help);
-    for at in 1..path.len().min(SHOWN) {
+    for at in 1..path.len().min(MAX_CYCLE_SHOWN) {
         if let Some((node, next, input)) = edge(at) {
             let (node, next) = (shortened(draft.name(node)), shortened(draft.name(next)));
             let message =

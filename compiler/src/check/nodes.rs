@@ -12,8 +12,8 @@ use super::{nested, sources};
 /// The keys of a node.
 const KEYS: [&str; 5] = ["type", "version", "doc", "inputs", "editor"];
 
-/// Longest name, in characters.
-const MAX_NAME: usize = 256;
+/// Longest name of a phenomenon, a parameter or a node, in characters.
+pub const MAX_NAME: usize = 256;
 
 /// Reports a name that could not stand in a path or on the command line.
 pub(super) fn check_name(reader: &mut Reader<'_>, value: &Value, what: &str, name: &str) {

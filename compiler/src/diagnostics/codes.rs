@@ -75,18 +75,21 @@ codes! {
         "The file does not exist, is a folder, or may not be read.",
         wrong "phenomenon check graphs/glas.json", right "phenomenon check graphs/glass.json";
     FILE_TOO_LARGE "file-too-large" Error "A file past the size limit",
-        "Files are read whole, so their size is limited. Split a larger graph into phenomena that use one another.",
-        wrong "", right "";
+        "Files are read whole, so their size is limited, and so is the number of values in them. Split a larger graph into phenomena that use one another.",
+        wrong r#"forest.json: { … "nodes": { … 80 MB of trees … } … }"#,
+        right r#"forest.json: { … "nodes": { "tree": { "type": { "file": "tree.json" } } … } … }"#;
     NOT_UTF8 "not-utf8" Error "A file that is not UTF-8",
         "JSON is UTF-8. Editors call it \"UTF-8 without BOM\".",
-        wrong "", right "";
+        wrong r#"… "doc": "caf<E9>" …   in Latin-1, where é is the byte E9"#,
+        right r#"… "doc": "caf<C3><A9>" …   in UTF-8, where é is the bytes C3 A9"#;
     SYNTAX "syntax" Error "A file that is not JSON",
         "The file breaks the rules of JSON (RFC 8259), so nothing else can be said about it. There are no comments, no trailing commas and no single quotes.",
         wrong r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0], } }"#,
         right r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0] } }"#;
     TOO_DEEP "too-deep" Error "Nesting past the limit",
         "Lists and objects may be nested 64 deep. No graph or scene needs more than a dozen levels.",
-        wrong "", right "";
+        wrong r#"{ "phenomenon": "a", "roots": { "material": 1 }, "editor": [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]] }"#,
+        right r#"{ "phenomenon": "a", "roots": { "material": 1 }, "editor": [] }"#;
     DUPLICATE_KEY "duplicate-key" Error "A key given twice",
         "JSON readers disagree on which of two equal keys counts, so none may stand twice in one object. Here the first is checked and the others are ignored.",
         wrong r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0], "material": [0, 1, 0] } }"#,
@@ -129,13 +132,16 @@ codes! {
         right r#"{ "phenomenon": "a", "nodes": {}, "roots": { "material": 1 } }"#;
     NOT_A_SCENE "not-a-scene" Error "A file that is no scene",
         "A scene is an object with the key `scene`, a graph one with the key `phenomenon`. This file is the other of the two, or neither.",
-        wrong "", right "";
+        wrong r#"{ "camera": { "position": [0, 0, 5], "look_at": [0, 0, 0] }, "objects": [] }"#,
+        right r#"{ "scene": "s", "camera": { "position": [0, 0, 5], "look_at": [0, 0, 0] }, "objects": [] }"#;
     UNUSABLE_FILE "unusable-file" Error "A mesh or picture that cannot be used",
         "A scene names a mesh or a picture that was found but is malformed, empty, or holds numbers that are not finite.",
-        wrong "", right "";
+        wrong r#"s.json: { … "objects": [{ "mesh": "teapot.blend", … }] … }"#,
+        right r#"s.json: { … "objects": [{ "mesh": "teapot.obj", … }] … }"#;
     UNUSABLE_OBJECT "unusable-object" Error "A part of a scene that makes no sense",
         "The numbers are each in range, but together they give no camera, light, object or transform: a camera that looks at itself, a transform that flattens, a sphere scaled unevenly.",
-        wrong "", right "";
+        wrong r#"{ "scene": "s", "camera": { "position": [0, 0, 5], "look_at": [0, 0, 5] }, "objects": [] }"#,
+        right r#"{ "scene": "s", "camera": { "position": [0, 0, 5], "look_at": [0, 0, 0] }, "objects": [] }"#;
     UNKNOWN_NODE_TYPE "unknown-node-type" Error "A node type that does not exist",
         "No node of this type is in the library. `phenomenon nodes` lists them all.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mixx" } }, "roots": { "material": { "node": "n" } } }"#,
@@ -186,7 +192,8 @@ codes! {
         right r#"{ "phenomenon": "a", "nodes": { "c": { "type": "light_color" }, "all": { "type": "light_loop", "inputs": { "body": { "node": "c" } } } }, "roots": { "material": { "node": "all" } } }"#;
     TOO_MANY_NODES "too-many-nodes" Error "A graph past the size limit",
         "The number of nodes is limited, those of nested phenomena included.",
-        wrong "", right "";
+        wrong r#"a.json: { … "nodes": { "x": { "type": { "file": "b.json" } }, "y": { "type": { "file": "b.json" } } … } … }   where b.json has 600000 nodes"#,
+        right r#"a.json: { … "nodes": { "x": { "type": { "file": "b.json" } } … } … }"#;
     TOO_MANY_PARTS "too-many-parts" Error "An interface past the size limit",
         "Arrays and structs are taken apart: each part is a parameter of its own. An interface may have 65,536 of them in all.",
         wrong "\"default\": [0, 0, … 100,000 numbers … 0]", right "\"default\": [0, 0, … 100 numbers … 0]";

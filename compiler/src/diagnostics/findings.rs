@@ -6,6 +6,9 @@ use super::{Finding, Severity};
 /// costs no more memory than one with this many.
 pub const KEPT_FINDINGS: usize = 10_000;
 
+/// How many findings of a run a report shows; the rest is a number.
+pub const SHOWN_FINDINGS: usize = 1_000;
+
 /// The findings of one run, bounded.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {

@@ -10,5 +10,5 @@ mod source;
 pub use codes::{Code, Explanation};
 pub use documentation::documentation;
 pub use finding::{Finding, Related, Severity};
-pub use findings::{Findings, KEPT_FINDINGS};
+pub use findings::{Findings, KEPT_FINDINGS, SHOWN_FINDINGS};
 pub use source::{Place, SourceFile};

@@ -2,16 +2,19 @@
 
 use serde_json::Value as Json;
 
-use super::{Document, Value, ValueKind};
+use super::{Document, Member, Value, ValueKind};
 
-/// Longest line a list or an object is kept on, in characters, its indentation included.
-const WIDTH: usize = 100;
+/// Longest line a list or an object is kept on, in characters.
+const WIDTH: usize = 120;
+/// Most levels that are indented: deeper ones must still fit a line.
+const INDENTED: usize = 20;
 
-/// The document as text: two spaces a level, one member a line, but on one line what fits there
-/// (except the file itself, `interface`, `nodes` and their like one level below it). Numbers stay
-/// as written, strings are escaped only where they must be, and one blank line stays one.
+/// The document as text, two spaces a level. The file, its sections (`interface`, `nodes`,
+/// `objects` …) and what they list have one line for each member; in what is listed, such as a node,
+/// lines are filled up to [`WIDTH`]. Numbers stay as written, strings are escaped only where they
+/// must be, and one blank line stays one.
 pub fn canonical(document: &Document) -> String {
-    let mut layout = Layout { source: &document.file.text, text: String::new() };
+    let mut layout = Layout { source: &document.file.text, text: String::new(), line: 0 };
     layout.write(&document.root, 0, 0);
     layout.text.push('\n');
     layout.text
@@ -20,79 +23,139 @@ pub fn canonical(document: &Document) -> String {
 struct Layout<'d> {
     source: &'d str,
     text: String,
+    /// Byte at which the last line starts.
+    line: usize,
 }
 
+/// A key, for members of objects, and its value.
+type Element<'v> = (Option<&'v Member>, &'v Value);
+
 impl Layout<'_> {
-    /// Writes a value at a nesting depth; `before` characters stand on its line already.
-    fn write(&mut self, value: &Value, depth: usize, before: usize) {
-        let keep_open = match (depth, &value.kind) {
+    /// Writes a value at a nesting depth; `after` characters follow on its last line.
+    fn write(&mut self, value: &Value, depth: usize, after: usize) {
+        let listed = match (depth, &value.kind) {
             (0, ValueKind::Object(members)) => !members.is_empty(),
             (1, ValueKind::Object(_)) => !is_short(value),
             _ => false,
         };
-        if !keep_open {
-            let mut line = String::new();
-            if write_line(&mut line, value, WIDTH.saturating_sub(before)) {
-                self.text.push_str(&line);
-                return;
-            }
+        if !listed && let Some(line) = one_line(value, self.room(after)) {
+            self.text.push_str(&line);
+            return;
         }
-        let indentation = 2 * (depth + 1);
-        let mut end_of_last = None;
-        match &value.kind {
+        let (elements, open, close): (Vec<Element<'_>>, _, _) = match &value.kind {
             ValueKind::Array(elements) => {
-                self.text.push('[');
-                for element in elements {
-                    self.start(indentation, end_of_last, element.start);
-                    self.write(element, depth + 1, indentation + 1);
-                    end_of_last = Some(element.end);
-                }
+                (elements.iter().map(|it| (None, it)).collect(), "[", "]")
             }
             ValueKind::Object(members) => {
-                self.text.push('{');
-                for member in members {
-                    self.start(indentation, end_of_last, member.key_start);
-                    let key = string(&member.key);
-                    let before = indentation + key.chars().count() + 3;
-                    self.text.push_str(&key);
-                    self.text.push_str(": ");
-                    self.write(&member.value, depth + 1, before);
-                    end_of_last = Some(member.value.end);
-                }
+                (members.iter().map(|it| (Some(it), &it.value)).collect(), "{", "}")
             }
-            _ => {
-                // A leaf longer than a line is still one line.
-                write_line(&mut self.text, value, usize::MAX);
-                return;
+            // A leaf longer than a line is still one line.
+            _ => return self.text.extend(one_line(value, usize::MAX)),
+        };
+        self.text.push_str(open);
+        let of_leaves = |value: &Value| matches!(&value.kind, ValueKind::Array(elements) if elements.iter().all(is_leaf));
+        if depth < 2 && !of_leaves(value) {
+            self.list(&elements, depth);
+            self.break_line(depth);
+            self.text.push_str(close);
+        } else {
+            let close = if close == "}" { " }" } else { close };
+            if open == "{" {
+                self.text.push(' ');
             }
+            self.fill(&elements, depth, after + close.len());
+            self.text.push_str(close);
         }
-        self.text.push('\n');
-        self.text.extend(std::iter::repeat_n(' ', 2 * depth));
-        self.text.push(if matches!(value.kind, ValueKind::Array(_)) { ']' } else { '}' });
     }
 
-    /// Starts the line of an element, after a blank one where the source has any.
-    fn start(&mut self, indentation: usize, end_of_last: Option<usize>, start: usize) {
-        if let Some(end) = end_of_last {
-            self.text.push(',');
-            if self.source[end..start].matches('\n').count() > 1 {
-                self.text.push('\n');
+    /// A line for each element.
+    fn list(&mut self, elements: &[Element<'_>], depth: usize) {
+        for (at, element) in elements.iter().enumerate() {
+            if at > 0 {
+                self.text.push(',');
+                self.keep_blank_line(elements[at - 1], *element);
             }
+            self.break_line(depth + 1);
+            self.element(*element, depth, usize::from(at + 1 < elements.len()));
         }
+    }
+
+    /// As many elements on a line as fit; the first stays on the line of the bracket. After an
+    /// element of several lines the next one starts its own, where it is seen.
+    fn fill(&mut self, elements: &[Element<'_>], depth: usize, after: usize) {
+        let mut line = self.line;
+        for (at, element) in elements.iter().enumerate() {
+            let after = if at + 1 < elements.len() { 1 } else { after };
+            if at > 0 {
+                self.text.push(',');
+                let blank = self.keep_blank_line(elements[at - 1], *element);
+                if !blank && self.line == line && self.fits(*element, after) {
+                    self.text.push(' ');
+                } else {
+                    self.break_line(depth + 1);
+                }
+            }
+            line = self.line;
+            self.element(*element, depth, after);
+        }
+    }
+
+    fn element(&mut self, (member, value): Element<'_>, depth: usize, after: usize) {
+        if let Some(member) = member {
+            self.text.push_str(&string(&member.key));
+            self.text.push_str(": ");
+        }
+        self.write(value, depth + 1, after);
+    }
+
+    /// Whether a space, an element and `after` characters fit on the line.
+    fn fits(&self, (member, value): Element<'_>, after: usize) -> bool {
+        let key = member.map_or(0, |member| string(&member.key).chars().count() + 2);
+        one_line(value, self.room(1 + key + after)).is_some()
+    }
+
+    /// Characters left on the line where `reserved` are already taken.
+    fn room(&self, reserved: usize) -> usize {
+        let line = &self.text[self.line..];
+        // A line of very many bytes is past the width whatever its characters are.
+        let taken = if line.len() > 4 * WIDTH { WIDTH } else { line.chars().count() };
+        WIDTH.saturating_sub(taken + reserved)
+    }
+
+    /// Leaves an empty line where the source has some between two elements; whether it has.
+    fn keep_blank_line(&mut self, (_, before): Element<'_>, (member, value): Element<'_>) -> bool {
+        let start = member.map_or(value.start, |member| member.key_start);
+        let blank = self.source[before.end..start].matches('\n').count() > 1;
+        if blank {
+            self.text.push('\n');
+        }
+        blank
+    }
+
+    fn break_line(&mut self, depth: usize) {
         self.text.push('\n');
-        self.text.extend(std::iter::repeat_n(' ', indentation));
+        self.line = self.text.len();
+        self.text.extend(std::iter::repeat_n(' ', 2 * depth.min(INDENTED)));
     }
 }
 
-/// Whether an object one level below the file may stand on one line: it is empty, or one leaf,
-/// connection or the like.
-fn is_short(value: &Value) -> bool {
-    let flat = |inner: &Value| inner.members().iter().all(|it| it.value.members().is_empty());
-    match value.members() {
-        [] => true,
-        [one] => flat(&one.value),
-        _ => false,
+fn is_leaf(value: &Value) -> bool {
+    !matches!(value.kind, ValueKind::Array(_) | ValueKind::Object(_))
+}
+
+/// Whether a section may stand on one line: it lists nothing, or one thing without parts.
+fn is_short(section: &Value) -> bool {
+    let is_object = |value: &Value| !value.members().is_empty();
+    match section.members() {
+        [one] => !one.value.members().iter().any(|part| is_object(&part.value)),
+        members => !members.iter().any(|member| is_object(&member.value)),
     }
+}
+
+/// The value on one line; none where it is longer than `room`.
+fn one_line(value: &Value, room: usize) -> Option<String> {
+    let mut line = String::new();
+    write_line(&mut line, value, room).then_some(line)
 }
 
 /// Writes a value on one line; false, and something unfinished, where it is longer than `room`.
@@ -101,13 +164,13 @@ fn write_line(line: &mut String, value: &Value, room: usize) -> bool {
         ValueKind::Null => line.push_str("null"),
         ValueKind::Boolean(value) => line.push_str(if *value { "true" } else { "false" }),
         ValueKind::Number(number) => line.push_str(number),
+        // So long a string is not copied for nothing on every level round it.
+        ValueKind::String(value) if value.len() / 4 > room => return false,
         ValueKind::String(value) => line.push_str(&string(value)),
         ValueKind::Array(elements) => {
             line.push('[');
             for (at, element) in elements.iter().enumerate() {
-                if at > 0 {
-                    line.push_str(", ");
-                }
+                line.push_str(if at > 0 { ", " } else { "" });
                 if !write_line(line, element, room) {
                     return false;
                 }
@@ -117,9 +180,7 @@ fn write_line(line: &mut String, value: &Value, room: usize) -> bool {
         ValueKind::Object(members) => {
             line.push_str(if members.is_empty() { "{" } else { "{ " });
             for (at, member) in members.iter().enumerate() {
-                if at > 0 {
-                    line.push_str(", ");
-                }
+                line.push_str(if at > 0 { ", " } else { "" });
                 line.push_str(&string(&member.key));
                 line.push_str(": ");
                 if !write_line(line, &member.value, room) {
@@ -158,10 +219,33 @@ mod tests {
 
     #[test]
     fn one_blank_line_stays_one() {
-        let text = "{\"nodes\": {\n\n\n\"a\": 1,\n\"b\": 2,\n\n\n\n\"c\": 3\n\n}}";
-        let form = "{\n  \"nodes\": {\n    \"a\": 1,\n    \"b\": 2,\n\n    \"c\": 3\n  }\n}\n";
+        let text = "{\"nodes\": {\n\n\n\"a\": {},\n\"b\": {\"x\":2},\n\n\n\n\"c\": 3\n\n}}";
+        let form =
+            "{\n  \"nodes\": {\n    \"a\": {},\n    \"b\": { \"x\": 2 },\n\n    \"c\": 3\n  }\n}\n";
         assert_eq!(format(text), form);
         assert_eq!(format(form), form);
+    }
+
+    #[test]
+    fn lines_are_filled_to_the_last_character() {
+        // What is listed in a section is one line where it fits, its comma included.
+        let with = |doc: usize, more: &str| {
+            let doc = "é".repeat(doc);
+            format!(
+                "{{\"nodes\":{{\"n\":{{\"type\":\"mix\",\"inputs\":{{\"a\":[1]}},\"doc\":\"{doc}\"}}{more}}}}}"
+            )
+        };
+        let line = r#"    "n": { "type": "mix", "inputs": { "a": [1] }, "doc": "" }"#;
+        let room = WIDTH - line.chars().count();
+        assert_eq!(format(&with(room, "")).lines().count(), 5);
+        assert_eq!(format(&with(room + 1, "")).lines().count(), 6);
+        assert_eq!(format(&with(room - 1, ",\"m\":{\"x\":{}}")).lines().count(), 6);
+        assert_eq!(format(&with(room, ",\"m\":{\"x\":{}}")).lines().count(), 7);
+        let form = format(&with(room + 1, ""));
+        assert_eq!(
+            form.lines().nth(3),
+            Some(&*format!("      \"doc\": \"{}\" }}", "é".repeat(room + 1)))
+        );
     }
 
     #[test]
@@ -176,6 +260,10 @@ mod tests {
             "1",
             "[[1,[2,{\"a\":{\"b\":[]}}]],\"x\"]",
             "{\"roots\":{\"material\":{\"node\":\"n\"}}}",
+            &format!(
+                "{{\"a\":{{\"b\":{{\"c\":{}}}}}}}",
+                "[1,[2,3],{\"k\":".repeat(8) + "\"é\"" + &"}]".repeat(8)
+            ),
         ] {
             let once = format(text);
             assert_eq!(format(&once), once);

@@ -16,7 +16,7 @@ use std::sync::Arc;
 use crate::diagnostics::SourceFile;
 
 pub use canonical::canonical;
-pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES};
+pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES};
 pub use read::{read, read_file};
 pub use reader::listed;
 pub use reader::{Object, Reader};

@@ -5,23 +5,36 @@
 pub const MAX_FILE_BYTES: usize = 64 << 20;
 /// Deepest nesting of lists and objects.
 pub const MAX_DEPTH: usize = 64;
+/// Most values of a file. Each takes a hundred bytes of memory, be it one character of the file.
+pub const MAX_VALUES: usize = 1 << 23;
 
 /// What is wrong at a byte.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Irregularity {
     /// One bracket more than [`MAX_DEPTH`] is open.
     TooDeep,
+    /// There are more than [`MAX_VALUES`].
+    TooManyValues,
     /// A control character inside a string.
     ControlInString(u8),
     /// A character that can start no JSON token, or is no JSON white space.
     Stray(char),
 }
 
+impl Irregularity {
+    /// Whether the parser must not see the file.
+    pub(super) fn is_past_a_limit(self) -> bool {
+        matches!(self, Irregularity::TooDeep | Irregularity::TooManyValues)
+    }
+}
+
 /// The first irregularity and its byte. Stops at what only the parser can judge (a comment, a
 /// single quote): what follows has no meaning then.
 pub(super) fn prescan(text: &str) -> Option<(usize, Irregularity)> {
     let bytes = text.as_bytes();
-    let mut depth = 0;
+    let mut depth: usize = 0;
+    // Values but the first stand after a comma or an opening bracket, if it is not an empty one.
+    let mut values = 1;
     let mut at = 0;
     while let Some(&byte) = bytes.get(at) {
         match byte {
@@ -42,8 +55,12 @@ pub(super) fn prescan(text: &str) -> Option<(usize, Irregularity)> {
                     }
                 }
             }
-            b'[' | b'{' => {
-                depth += 1;
+            b'[' | b'{' | b',' => {
+                values += 1;
+                if values > MAX_VALUES {
+                    return Some((at, Irregularity::TooManyValues));
+                }
+                depth += usize::from(byte != b',');
                 if depth > MAX_DEPTH {
                     return Some((at, Irregularity::TooDeep));
                 }

@@ -44,7 +44,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Box<Finding>> {
     let text = file.text.as_str();
     let irregular = prescan(text);
     if let Some((at, irregularity)) = irregular
-        && irregularity == super::prescan::Irregularity::TooDeep
+        && irregularity.is_past_a_limit()
     {
         return Err(syntax::irregular(&file, at, irregularity));
     }

@@ -132,7 +132,7 @@ impl<'d> Reader<'d> {
 
     /// Reports a key that is not one of `keys`.
     pub fn unknown_key(&mut self, member: &Member, what: &str, keys: &[&str]) {
-        let message = format!("{what} has no key `{}`", member.key);
+        let message = format!("{what} has no key `{}`", shortened(&member.key));
         let near = nearest(&member.key, keys.iter().copied());
         let help = match near {
             Some(near) => near.help(),
@@ -288,7 +288,7 @@ impl<'d> Reader<'d> {
         let mut finding = Finding::new(
             Code::UNKNOWN_CHOICE,
             self.document.place(value),
-            format!("{what} cannot be `{text}`"),
+            format!("{what} cannot be `{}`", shortened(text)),
             help,
         );
         finding.fix = near.and_then(|near| near.fix());

@@ -7,7 +7,7 @@ use jsonc_parser::errors::{ParseError, ParseErrorKind};
 
 use crate::diagnostics::{Code, Finding, Place, SourceFile};
 
-use super::prescan::{Irregularity, MAX_DEPTH};
+use super::prescan::{Irregularity, MAX_DEPTH, MAX_VALUES};
 
 fn finding(
     file: &Arc<SourceFile>,
@@ -44,6 +44,12 @@ pub(super) fn irregular(
             at + 1,
             format!("lists and objects are nested more than {MAX_DEPTH} deep"),
             "no graph or scene needs such nesting; look for an unclosed bracket",
+        ),
+        Irregularity::TooManyValues => (
+            Code::FILE_TOO_LARGE,
+            at + 1,
+            format!("the file has more than {MAX_VALUES} values"),
+            "split it into phenomena that use one another",
         ),
         Irregularity::ControlInString(byte) => (
             Code::SYNTAX,

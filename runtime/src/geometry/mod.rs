@@ -10,7 +10,7 @@ mod transform;
 mod triangle;
 
 pub use mesh::{Mesh, MeshError};
-pub use obj::{Normals, ObjError, read_obj};
+pub use obj::{Normals, OBJ_BYTES_LIMIT, ObjError, read_obj};
 pub use primitive::{PreparedRay, Primitive, RawHit, double, single};
 pub use shape::{Instance, Shape, Surface};
 pub use spawn::spawn_origin;
