@@ -43,4 +43,9 @@ impl Files for InMemory<'_> {
     fn identity(&self, path: &Path) -> PathBuf {
         path.components().filter(|part| part.as_os_str() != ".").collect()
     }
+
+    /// Pictures are there or not by the length of their name.
+    fn unusable(&self, path: &Path) -> Option<String> {
+        (path.as_os_str().len() % 2 == 0).then(|| "no such picture".to_owned())
+    }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
-use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
+use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::show::{ShowError, draw_dot, draw_svg};
 use phenomenon_compiler::state::State;
@@ -64,7 +64,7 @@ pub fn run(graph: Graph) {
     let graph = Arc::new(graph);
     let library = Arc::new(LIBRARY.clone());
     let run = |engine| {
-        let options = Options { engine, simd: Simd::Native, batch: 8 };
+        let options = Options { engine, batch: 8, ..Options::default() };
         let shader = Shader::new(graph.clone(), library.clone(), &[], options).ok()?;
         Some(RootKind::ALL.map(|root| shade(&shader, root)))
     };
