@@ -347,3 +347,29 @@ fn the_canonical_form_of_hostile_files_takes_linear_time() {
         assert!(canonical(&again) == form);
     }
 }
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_nobody_writes_to_is_not_waited_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let pipe = folder.path().join("pipe.json");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status().unwrap();
+    assert!(made.success());
+    for (nodes, what) in [
+        (r#""n": { "type": { "file": "pipe.json" } }"#, "cannot be used: it is no ordinary file"),
+        (
+            r#""n": { "type": "texture_lookup", "inputs": { "texture": { "texture": "pipe.json" } } }"#,
+            "cannot be used: it is no ordinary file",
+        ),
+    ] {
+        let text = format!(
+            r#"{{ "phenomenon": "a", "nodes": {{ {nodes} }}, "roots": {{ "material": {{ "node": "n" }} }} }}"#
+        );
+        let user = folder.path().join("user.json");
+        std::fs::write(&user, text).unwrap();
+        let checked = phenomenon_compiler::check::read_graph_file(&user, &NodeLibrary::standard());
+        let [finding] = checked.findings.as_slice() else { panic!("{:?}", checked.findings) };
+        assert_eq!(finding.code, Code::UNREADABLE_FILE);
+        assert!(finding.message.ends_with(what), "{}", finding.message);
+    }
+}

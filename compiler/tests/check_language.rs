@@ -309,7 +309,7 @@ fn textures_are_resolved_beside_their_file_and_read_once() {
     assert_eq!(color, [0.125, 0.75, 0.25, 0.5]);
     assert_eq!(asked.lookups, 1);
     let wood = Texture { file: "folder/wood.png".into(), space: Space::Srgb };
-    assert_eq!(asked.textures, [wood.clone()]);
+    assert_eq!(asked.textures, std::slice::from_ref(&wood));
     let data = graph.bind("paper", "bump.png,linear").unwrap();
     let (_, asked) = shaded(&graph, RootKind::Material, &[("paper", data)], state);
     assert_eq!(asked.textures, [Texture { file: "bump.png".into(), space: Space::Linear }]);

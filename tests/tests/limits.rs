@@ -247,7 +247,7 @@ fn long_array(_: &Path) -> String {
         )
     };
     graph(&with(100));
-    format!("`{}`", check(&with(MAX_PARTS + 1)).findings[0].code)
+    code(&check(&with(MAX_PARTS + 1)))
 }
 
 fn many_shaders(_: &Path) -> String {

@@ -3,9 +3,9 @@
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::diagnostics::{Code, Finding, Findings, Place};
+use crate::diagnostics::{Code, Finding, Findings, Place, SourceFile};
 use crate::document::{Document, Reader, Value, read_file, shortened};
 use crate::graph::{Graph, Root, RootKind};
 use crate::nodes::{
@@ -40,7 +40,13 @@ pub struct OnDisk;
 
 impl Files for OnDisk {
     fn read(&self, path: &Path) -> Result<Document, Box<Finding>> {
-        read_file(path)
+        match std::fs::metadata(path) {
+            // Nobody may ever write to a pipe that a file names.
+            Ok(metadata) if !metadata.is_file() && !metadata.is_dir() => {
+                Err(no_ordinary_file(path))
+            }
+            _ => read_file(path),
+        }
     }
 
     fn identity(&self, path: &Path) -> PathBuf {
@@ -50,10 +56,19 @@ impl Files for OnDisk {
     fn unusable(&self, path: &Path) -> Option<String> {
         match std::fs::metadata(path) {
             Ok(metadata) if metadata.is_dir() => Some("it is a folder".into()),
+            // Opening a pipe would wait for somebody to write.
+            Ok(metadata) if !metadata.is_file() => Some("it is no ordinary file".into()),
             Ok(_) => std::fs::File::open(path).err().map(|error| error.to_string()),
             Err(error) => Some(error.to_string()),
         }
     }
+}
+
+fn no_ordinary_file(path: &Path) -> Box<Finding> {
+    let file = Arc::new(SourceFile::new(path.display().to_string(), ""));
+    let place = Place { file, start: 0, end: 0, path: String::new() };
+    let help = "name a file";
+    Box::new(Finding::new(Code::UNREADABLE_FILE, place, "it is no ordinary file", help))
 }
 
 /// A phenomenon that others use.

@@ -246,6 +246,8 @@ pub(super) fn list<'d>(
             }
         },
         SourceKind::Literal => format!("{what} takes a list, not {}", value.describe()),
+        // Its declaration made a finding.
+        SourceKind::Parameter(at) if draft.parameters[at].value_type.is_none() => return broken,
         SourceKind::Parameter(_) | SourceKind::Node(..) => {
             format!("{what} takes a list, but one value is connected")
         }

@@ -104,8 +104,8 @@ fn parse(field: Field, text: &str) -> Option<Literal> {
         Type::Color => {
             let numbers: Option<Vec<f32>> = text.split(',').take(5).map(number).collect();
             match numbers?.as_slice() {
-                &[r, g, b] => Some(Literal::Color([r, g, b, 1.0])),
-                &[r, g, b, a] => Some(Literal::Color([r, g, b, a])),
+                [r, g, b] => Some(Literal::Color([*r, *g, *b, 1.0])),
+                [r, g, b, a] => Some(Literal::Color([*r, *g, *b, *a])),
                 _ => None,
             }
         }
