@@ -128,7 +128,8 @@ fn graph_files() -> Vec<PathBuf> {
         let folder = folder.expect("its entries can be read").path();
         if folder.is_dir() && !folder.ends_with("broken") {
             let entries = std::fs::read_dir(folder).expect("a folder can be listed");
-            files.extend(entries.map(|entry| entry.expect("its entries can be read").path()));
+            let paths = entries.map(|entry| entry.expect("its entries can be read").path());
+            files.extend(paths.filter(|path| path.extension().is_some_and(|it| it == "json")));
         }
     }
     files.sort();

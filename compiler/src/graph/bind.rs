@@ -205,7 +205,9 @@ impl Parameter {
                 "sixteen numbers, row by row, the last of each row 0 but 1 in the last row".into()
             }
             Type::String => "any text".into(),
-            Type::Texture => "a file, or a file and its space such as `bump.png,linear`".into(),
+            Type::Texture => {
+                "a file, a file and its space such as `bump.png,linear`, or `null`".into()
+            }
             Type::Light => "the name of a light".into(),
             Type::Lights => "names of lights joined by commas".into(),
             Type::Shader => "it in a graph that uses this one: only a node can be a shader".into(),
@@ -220,14 +222,14 @@ impl Parameter {
     }
 }
 
-/// `file` or `file,space`; nothing at all is no texture.
+/// `file` or `file,space`; nothing at all, or `null`, is no texture.
 fn texture(text: &str) -> Option<Texture> {
     let spaced = text.rsplit_once(',').and_then(|(file, space)| {
         let (_, space) = Space::ALL.into_iter().find(|(name, _)| *name == space.trim())?;
         Some(Texture { file: file.trim().to_owned(), space })
     });
     let plain = || Texture { file: text.to_owned(), space: Space::of_file(text) };
-    (!text.is_empty()).then(|| spaced.unwrap_or_else(plain))
+    (!matches!(text, "" | "null")).then(|| spaced.unwrap_or_else(plain))
 }
 
 /// Whether a matrix by rows maps points without perspective: its last column is 0, 0, 0, 1.

@@ -281,7 +281,7 @@ fn setting(value: &Value, folder: &Path) -> Option<String> {
             }
             _ => None,
         },
-        ValueKind::Null => Some(String::new()),
+        ValueKind::Null => Some("null".into()),
         ValueKind::Array(_) => None,
     }
 }

@@ -58,7 +58,7 @@ fn every_mistake_is_found_in_one_run() {
         "camera": { "position": [0, 0, 1], "look_at": [0, 0, 1], "fov": 40 },
         "objects": [
             { "sphere": { "radius": -1 }, "material": { "subject": true } },
-            { "mesh": "absent.obj", "material": { "file": "a.json", "set": { "a": null } } },
+            { "mesh": "absent.obj", "material": { "file": "a.json", "set": { "a": {} } } },
             { "sphere": { "radius": 1 }, "transform": { "scale": [1, 2, 1] }, "material": {} },
             { "material": { "file": "a.json" } }
         ],

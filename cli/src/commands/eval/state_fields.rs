@@ -104,6 +104,7 @@ fn parse(field: Field, text: &str) -> Option<Literal> {
         Type::Color => {
             let numbers: Option<Vec<f32>> = text.split(',').take(5).map(number).collect();
             match numbers?.as_slice() {
+                [x] => Some(Literal::Color([*x, *x, *x, 1.0])),
                 [r, g, b] => Some(Literal::Color([*r, *g, *b, 1.0])),
                 [r, g, b, a] => Some(Literal::Color([*r, *g, *b, *a])),
                 _ => None,
@@ -123,7 +124,7 @@ fn form(field: Field) -> &'static str {
         }
         Type::Integer => "write a whole number",
         Type::Vector => "write three numbers, such as 0,0,1",
-        Type::Color => "write three or four numbers, such as 0.5,0.5,0.5",
+        Type::Color => "write one, three or four numbers, such as 0.5,0.25,0.25",
         _ => "write a number, such as 0.5",
     }
 }
