@@ -373,3 +373,52 @@ fn a_pipe_nobody_writes_to_is_not_waited_for() {
         assert!(finding.message.ends_with(what), "{}", finding.message);
     }
 }
+
+#[test]
+fn wide_declarations_take_linear_time_and_bounded_memory() {
+    let join = |count: usize, one: &dyn Fn(usize) -> String| {
+        (0..count).map(one).collect::<Vec<_>>().join(",")
+    };
+    let members = join(40_000, &|at| format!(r#""m{at}":{{"type":"scalar","default":1}}"#));
+    let values = join(40_000, &|at| format!(r#""m{at}":2"#));
+    let labels = join(100_000, &|at| format!(r#""l{at}""#));
+    let few = join(1_000, &|at| format!(r#""label_{at}""#));
+    let zeros = vec!["0"; 60_000].join(",");
+    let (doc, type_of) = ("x".repeat(10_000), r#""type":"scalar","doc""#);
+    for (declaration, code) in [
+        (
+            format!(
+                r#""type":"struct","members":{{{members}}},"default":{{"struct":{{{values}}}}}"#
+            ),
+            None,
+        ),
+        (format!(r#""type":"integer","default":"l99999","values":[{labels}]"#), None),
+        (
+            format!(r#""type":"array","of":{{{type_of}:"{doc}"}},"default":[{zeros}]"#),
+            Some(Code::TOO_MANY_PARTS),
+        ),
+        (
+            format!(
+                r#""type":"array","of":{{"type":"integer","values":[{few}]}},"default":[{zeros}]"#
+            ),
+            Some(Code::TOO_MANY_PARTS),
+        ),
+    ] {
+        let text = format!(
+            r#"{{"phenomenon":"a","interface":{{"p":{{{declaration}}}}},"roots":{{"material":1}}}}"#
+        );
+        let start = ThreadTime::now();
+        let document = read("a.json", text.as_bytes()).unwrap();
+        let checked = check_graph(&document, &NodeLibrary::standard());
+        // Seconds where it took minutes; a fraction of one otherwise.
+        assert!(
+            start.elapsed() < Duration::from_secs(5),
+            "{:.60} {:?}",
+            declaration,
+            start.elapsed()
+        );
+        let errors = checked.findings.iter().filter(|of| of.severity == Severity::Error);
+        let codes: Vec<Code> = errors.map(|finding| finding.code).collect();
+        assert_eq!(codes, code.into_iter().collect::<Vec<_>>(), "{declaration:.60}");
+    }
+}

@@ -104,6 +104,7 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<
         nodes: Vec::new(),
         roots: Vec::new(),
         parameter_names: HashMap::new(),
+        part_bytes: 0,
         compounds: Vec::new(),
         compound_names: HashMap::new(),
         node_names: HashMap::new(),

@@ -1,9 +1,10 @@
 //! Reading `interface`: the parameters of a phenomenon.
 
+use std::collections::{HashMap, HashSet};
 use std::ops::RangeInclusive;
 
 use crate::diagnostics::{Code, Finding};
-use crate::document::{Member, Object, Reader, Value, ValueKind, shortened, shown};
+use crate::document::{MAX_FILE_BYTES, Member, Object, Reader, Value, ValueKind, shortened, shown};
 use crate::graph::Parameter;
 use crate::nodes::{FINITE, Literal, Type};
 
@@ -48,6 +49,15 @@ struct One<'d> {
     labels: Option<Vec<String>>,
     range: Option<RangeInclusive<f64>>,
     soft_range: Option<RangeInclusive<f64>>,
+}
+
+impl One<'_> {
+    /// Bytes every part of this declaration keeps.
+    fn bytes(&self) -> usize {
+        let labels = self.labels.iter().flatten().map(|label| size_of::<String>() + label.len());
+        let texts = [&self.doc, &self.unit].into_iter().flatten().map(String::len);
+        labels.chain(texts).sum()
+    }
 }
 
 /// Reads all parameters.
@@ -207,7 +217,10 @@ impl<'d> Parts<'_, 'd> {
     ) -> Option<Shape> {
         match declared {
             Declared::One(one) => {
-                if self.draft.parameters.len() >= MAX_PARTS {
+                self.draft.part_bytes += one.bytes();
+                if self.draft.parameters.len() >= MAX_PARTS
+                    || self.draft.part_bytes > MAX_FILE_BYTES
+                {
                     return self.too_many(one.value);
                 }
                 let parameter = self.parameter(one, default, &name);
@@ -220,8 +233,11 @@ impl<'d> Parts<'_, 'd> {
     }
 
     fn too_many(&mut self, value: &Value) -> Option<Shape> {
-        let message = format!("the interface has more than {MAX_PARTS} parts in all");
-        let help = "give arrays fewer elements, or structs fewer members";
+        let message = format!(
+            "the interface has more than {MAX_PARTS} parts in all, or they have more than \
+             {MAX_FILE_BYTES} bytes of `doc` and `values`"
+        );
+        let help = "give arrays fewer elements, structs fewer members, and elements shorter texts";
         self.reader.report(Code::TOO_MANY_PARTS, value, message, help);
         None
     }
@@ -257,7 +273,7 @@ impl<'d> Parts<'_, 'd> {
         default: Option<&'d Value>,
         name: &str,
     ) -> Option<Shape> {
-        let mut given = Vec::new();
+        let mut given = HashMap::new();
         if let Some(value) = default {
             let Some(literal) = struct_literal(value) else {
                 let what = "the default of a struct";
@@ -267,9 +283,10 @@ impl<'d> Parts<'_, 'd> {
             };
             self.reader.object(value, "a struct", &["struct"]);
             let names: Vec<&str> = members.iter().map(|(member, _)| member.key.as_str()).collect();
+            let known: HashSet<&str> = names.iter().copied().collect();
             for member in self.reader.members(literal, "a struct")? {
-                if names.contains(&member.key.as_str()) {
-                    given.push(member);
+                if known.contains(member.key.as_str()) {
+                    given.insert(member.key.as_str(), &member.value);
                 } else {
                     unknown_member(self.reader, member, &names);
                 }
@@ -278,8 +295,8 @@ impl<'d> Parts<'_, 'd> {
         let mut shapes = Vec::with_capacity(members.len());
         let outer = self.member;
         for (member, declared) in members {
-            let given = given.iter().find(|given| given.key == member.key);
-            let default = given.map(|given| &given.value).or(member.value.get("default"));
+            let given = given.get(member.key.as_str()).copied();
+            let default = given.or(member.value.get("default"));
             self.member = member;
             let shape = self.add(declared, default, member_name(name, &member.key));
             self.member = outer;
@@ -338,9 +355,10 @@ fn read_labels<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Vec<Stri
         return None;
     }
     let mut labels: Vec<String> = Vec::with_capacity(elements.len());
+    let mut seen = HashSet::with_capacity(elements.len());
     for element in elements {
         let label = reader.string(element, "a value of an enumeration")?;
-        if labels.iter().any(|other| other == label) {
+        if !seen.insert(label) {
             let message = format!("the value `{}` stands twice", shortened(label));
             reader.report(Code::DUPLICATE_KEY, element, message, "rename or remove one");
             return None;

@@ -3,6 +3,8 @@
 //! `layers[2].tint`: the engines know no compound values, and an edit of one part is an edit of it
 //! alone.
 
+use std::collections::HashMap;
+
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Member, Reader, Value, ValueKind, listed, nearest, shortened};
 use crate::nodes::Type;
@@ -172,9 +174,11 @@ pub(super) fn spread<'d>(
             }
         }
         (Shape::Struct(members), _, Some(given)) => {
+            let names: Vec<&str> = members.iter().map(|(name, _)| name.as_str()).collect();
+            let by_name: HashMap<&str, &Shape> =
+                members.iter().map(|(name, shape)| (name.as_str(), shape)).collect();
             for member in reader.members(given, "a struct").into_iter().flatten() {
-                let Some((_, shape)) = members.iter().find(|(name, _)| *name == member.key) else {
-                    let names: Vec<&str> = members.iter().map(|(name, _)| name.as_str()).collect();
+                let Some(shape) = by_name.get(member.key.as_str()) else {
                     unknown_member(reader, member, &names);
                     parts.push(broken.clone());
                     continue;

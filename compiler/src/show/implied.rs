@@ -44,6 +44,7 @@ pub(super) fn badge(kind: &Kind) -> Option<Badge> {
         Kind::Plain | Kind::List(_) => return None,
         Kind::Fields(_) => (Accent::State, "state"),
         Kind::Request(Effect::LightColor) => (Accent::Light, "light"),
+        Kind::Request(Effect::ReadTexture) => (Accent::State, "texture"),
         Kind::Request(_) => (Accent::Ray, "ray"),
         Kind::LightLoop => (Accent::Light, "light loop"),
         Kind::Scope(_) => (Accent::Scope, "scope"),
