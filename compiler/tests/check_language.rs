@@ -470,6 +470,105 @@ fn what_is_ruled_out_is_known_in_the_graph_through_phenomena() {
 }
 
 #[test]
+fn values_of_lists_are_bounded_before_they_are_made() {
+    let ones = vec!["1"; 30_000].join(",");
+    let nodes: Vec<String> = (0..300)
+        .map(|at| format!(r#""n{at}":{{"type":"sum","inputs":{{"values":{{"interface":"a"}}}}}}"#))
+        .collect();
+    let text = format!(
+        r#"{{"phenomenon":"p","interface":{{"a":{{"type":"array","of":{{"type":"scalar"}},"default":[{ones}]}}}},
+           "nodes":{{{}}},"roots":{{"material":{{"node":"n0"}}}}}}"#,
+        nodes.join(",")
+    );
+    assert_eq!(codes(&text), [Code::TOO_MANY_NODES]);
+    let many = vec!["1"; 600_000].join(",");
+    let text = format!(
+        r#"{{"phenomenon":"p","interface":{{"i":{{"type":"integer","default":0}}}},"nodes":{{"n":{{"type":"element",
+           "inputs":{{"index":{{"interface":"i"}},"values":[{many}]}}}}}},"roots":{{"material":{{"node":"n"}}}}}}"#
+    );
+    assert_eq!(codes(&text), [Code::TOO_MANY_NODES]);
+}
+
+#[test]
+fn a_phenomenon_of_a_number_is_a_grey_shader() {
+    let inner = r#"{ "phenomenon": "inner", "interface": { "x": { "type": "scalar", "default": 0.25 } },
+        "nodes": { "f": { "type": "square_root", "inputs": { "x": { "interface": "x" } } } },
+        "roots": { "material": { "node": "f" } } }"#;
+    let inner = inner.replace(
+        "\"x\": { \"interface\"",
+        &format!("\"{}\": {{ \"interface\"", {
+            let library = NodeLibrary::standard();
+            library.signature(library.find("square_root").unwrap()).inputs[0].name
+        }),
+    );
+    let outer = r#"{ "phenomenon": "outer",
+        "nodes": { "x": { "type": { "file": "inner.json" } },
+                   "n": { "type": "call_shader", "inputs": { "shader": { "node": "x" } } } },
+        "roots": { "material": { "node": "n" } } }"#;
+    let graph = graph(&[("outer.json", outer), ("inner.json", &inner)]);
+    assert_eq!(color(&graph, &[]), [0.5, 0.5, 0.5, 1.0]);
+    // So is one whose root is the parameter itself.
+    let plain = r#"{ "phenomenon": "inner", "interface": { "x": { "type": "integer", "default": 3 } },
+        "roots": { "material": { "interface": "x" } } }"#;
+    let given = outer.replace("\"inner.json\" }", "\"inner.json\" }, \"inputs\": { \"x\": 2 }");
+    let files = [("outer.json", given.as_str()), ("inner.json", plain)];
+    assert_eq!(color(&self::graph(&files), &[]), [2.0, 2.0, 2.0, 1.0]);
+}
+
+#[test]
+fn what_is_called_texture_doc_or_editor_is_no_texture_by_that() {
+    let inner = r#"{ "phenomenon": "inner", "interface": { "texture": { "type": "string", "default": "wood" } },
+        "nodes": { "editor": { "type": "string_equal", "inputs": { "a": { "interface": "texture" }, "b": "stone" } },
+                   "s": { "type": "select", "inputs": { "condition": { "node": "editor" } } } },
+        "roots": { "material": { "node": "s" } } }"#;
+    let outer = r#"{ "phenomenon": "outer", "nodes": { "n": { "type": { "file": "inner.json" }, "inputs": { "texture": "stone" } } },
+        "roots": { "material": { "node": "n" } } }"#;
+    graph(&[("outer.json", outer), ("inner.json", inner)]);
+    let missing = r#"{ "phenomenon": "a", "nodes": { "doc": { "type": "texture_lookup", "inputs": { "texture": { "texture": "no.png" } } } },
+        "roots": { "material": { "node": "doc" } } }"#;
+    assert_eq!(codes(missing), [Code::UNREADABLE_FILE]);
+    let text = missing.replace(r#"{ "texture": "no.png" }"#, r#""no.png""#);
+    assert_eq!(codes(&text), [Code::TYPE_MISMATCH]);
+}
+
+#[test]
+fn what_is_given_twice_or_beside_a_struct_is_told() {
+    let inner = r#"{ "phenomenon": "inner", "interface": {
+            "s": { "type": "struct", "members": { "a": { "type": "scalar", "default": 1 }, "b": { "type": "scalar", "default": 1 } } },
+            "mode": { "type": "integer", "default": "soft", "values": ["soft", "hard"] } },
+        "nodes": { "x": { "type": "sum", "inputs": { "values": [{ "interface": "s.a" }, { "interface": "s.b" }, { "interface": "mode" }] } } },
+        "roots": { "material": { "node": "x" } } }"#;
+    let with = |inputs: &str| {
+        let outer = format!(
+            r#"{{ "phenomenon": "outer", "interface": {{
+                 "o": {{ "type": "struct", "members": {{ "b": {{ "type": "scalar", "default": 8 }}, "a": {{ "type": "scalar", "default": 4 }} }} }},
+                 "t": {{ "type": "struct", "members": {{ "b": {{ "type": "color", "default": 8 }}, "a": {{ "type": "scalar", "default": 4 }} }} }} }},
+               "nodes": {{ "n": {{ "type": {{ "file": "inner.json" }}, "inputs": {{ {inputs} }} }},
+                 "keep": {{ "type": "sum", "inputs": {{ "values": [{{ "interface": "o.a" }}, {{ "interface": "o.b" }}, {{ "interface": "t.a" }}, {{ "interface": "t.b" }}] }} }},
+                 "m": {{ "type": "mix", "inputs": {{ "weight": 0.5, "a": {{ "node": "n" }}, "b": {{ "node": "keep" }} }} }} }},
+               "roots": {{ "material": {{ "node": "m" }}, "shadow": {{ "node": "n" }} }} }}"#
+        );
+        let checked = check_files(&[("outer.json", &outer), ("inner.json", inner)]);
+        let found: Vec<(Code, String)> =
+            checked.findings.iter().map(|it| (it.code, it.message.clone())).collect();
+        let shadow =
+            checked.graph.map(|graph| shaded(&graph, RootKind::Shadow, &[], State::default()).0);
+        (found, shadow)
+    };
+    let code =
+        |inputs: &str| -> Vec<Code> { with(inputs).0.into_iter().map(|(code, _)| code).collect() };
+    assert_eq!(code(r#""s": { "struct": { "a": 1 } }, "s.a": 7"#), [Code::DUPLICATE_KEY]);
+    assert_eq!(code(r#""s": { "struct": { "a": 1 }, "unit": "mm" }"#), [Code::UNKNOWN_KEY]);
+    assert_eq!(with(r#""s": { "struct": { "a": 1 } }, "s.b": 7"#).1.unwrap()[0], 8.0);
+    assert_eq!(with(r#""s": { "interface": "o" }"#).1.unwrap()[0], 12.0, "by name, in any order");
+    let (found, _) = with(r#""s": { "interface": "t" }"#);
+    assert_eq!(found.len(), 1);
+    assert!(found[0].1.ends_with("its part `b` must be a scalar, not a color"), "{}", found[0].1);
+    assert_eq!(with(r#""mode": "hard""#).1.unwrap()[0], 3.0);
+    assert_eq!(code(r#""mode": "hrad""#), [Code::UNKNOWN_CHOICE]);
+}
+
+#[test]
 fn parts_and_lists_are_bounded() {
     let rows = vec!["0"; 300].join(",");
     let columns = vec![format!("[{rows}]"); 300].join(",");
@@ -513,6 +612,8 @@ fn a_mistake_in_a_declaration_is_one_mistake() {
         ),
         (r#""type": "texture", "default": { "texture": 1 }"#, Code::WRONG_KIND),
         (r#""type": "texture", "default": { "texture": "no.png" }"#, Code::UNREADABLE_FILE),
+        (r#""type": "aray", "of": { "type": "scalar" }, "default": [1]"#, Code::UNKNOWN_CHOICE),
+        (r#""type": "integer", "default": "a", "values": ["a"], "min": 5"#, Code::UNKNOWN_KEY),
         (r#""type": "string", "default": 1"#, Code::TYPE_MISMATCH),
         (r#""type": "string", "default": "a", "min": 0"#, Code::UNKNOWN_KEY),
         (r#""type": "shader", "default": 1"#, Code::TYPE_MISMATCH),

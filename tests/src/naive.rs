@@ -166,6 +166,7 @@ fn converted(words: Vec<u32>, from: Type, to: Type) -> Vec<u32> {
         (Type::Scalar, Type::Color) => vec![words[0], words[0], words[0], one],
         // A shader is called where its words are read.
         (Type::Color, Type::Shader) => words,
+        (Type::Integer | Type::Scalar, Type::Shader) => converted(words, from, Type::Color),
         _ => {
             assert_eq!(from, to);
             words

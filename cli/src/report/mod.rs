@@ -34,11 +34,18 @@ pub struct Report {
 }
 
 impl Report {
-    /// A report of `findings`, of which the first [`SHOWN_FINDINGS`] are shown, and of `omitted` more.
-    pub fn new(mut findings: Vec<Finding>, omitted: usize) -> Self {
+    /// A report of `findings`, of which [`SHOWN_FINDINGS`] are shown, and of `omitted` more. Errors are
+    /// shown before anything else is, so that nothing hides one; the order stays.
+    pub fn new(findings: Vec<Finding>, omitted: usize) -> Self {
         let hidden = findings.len().saturating_sub(SHOWN_FINDINGS);
-        findings.truncate(SHOWN_FINDINGS);
-        Self { shown: findings, omitted: omitted + hidden }
+        let mut by_severity: Vec<usize> = (0..findings.len()).collect();
+        by_severity.sort_by_key(|at| std::cmp::Reverse(findings[*at].severity));
+        let mut is_shown = vec![false; findings.len()];
+        for at in by_severity.into_iter().take(SHOWN_FINDINGS) {
+            is_shown[at] = true;
+        }
+        let shown = findings.into_iter().zip(is_shown).filter(|(_, is_shown)| *is_shown);
+        Self { shown: shown.map(|(finding, _)| finding).collect(), omitted: omitted + hidden }
     }
 
     /// The report as text; `color` asks for terminal colours where the format knows them.

@@ -1,10 +1,11 @@
 //! Binding every input and root to its source, with the types checked.
 
 use crate::diagnostics::{Code, Finding};
-use crate::document::{Member, Reader, shortened};
+use crate::document::{Member, Reader, ValueKind, shortened};
 use crate::graph::{Binding, Node, Root};
 use crate::nodes::{Default, Input, Kind, Literal, NodeType, Signature, Type};
 
+use super::MAX_NODES;
 use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
 use super::types::{Types, overload};
 use super::{lists, literals, mismatch};
@@ -42,6 +43,19 @@ pub(super) fn bind<'d>(
         });
     }
     nodes.append(&mut added);
+    if nodes.len() > MAX_NODES {
+        let message = format!(
+            "with those that stand for lists the graph has {} nodes; at most {MAX_NODES} are allowed",
+            nodes.len()
+        );
+        let place = reader.document.root.get("nodes").unwrap_or(&reader.document.root);
+        reader.report(
+            Code::TOO_MANY_NODES,
+            place,
+            message,
+            "give `element` and `sum` fewer values",
+        );
+    }
     let roots =
         draft.roots.iter().filter_map(|root| bind_root(reader, draft, types, root, &mut nodes));
     let roots = roots.collect();
@@ -171,6 +185,17 @@ fn bind_node<'d>(
             format!("input `{name}` of node `{of}` ({})", signature.name)
         };
         let Some(to) = to else { continue };
+        let value = input.source.value;
+        if let (Some(labels), ValueKind::String(_)) = (labels(draft, node_type, at), &value.kind)
+            && input.source.kind == SourceKind::Literal
+        {
+            let choices: Vec<(&str, i32)> =
+                (0..).zip(labels).map(|(at, it)| (it.as_str(), at)).collect();
+            if let Some(label) = reader.choice(value, &what(), &choices) {
+                bindings[at] = Binding::Literal(Literal::Integer(label));
+            }
+            continue;
+        }
         if let Some(binding) = bind_source(reader, draft, types, &input.source, to, generic, &what)
         {
             bindings[at] = binding;
@@ -189,6 +214,12 @@ fn due(source: &Source<'_>, input: &Input, generic: Option<Type>) -> Option<Type
     let hopeless =
         source.kind == SourceKind::Literal && literals::natural_type(source.value).is_none();
     if hopeless { Some(Type::Generic) } else { generic }
+}
+
+/// The names of an enumeration that an input of a phenomenon is.
+fn labels<'a>(draft: &'a Draft<'_>, node_type: NodeType, input: usize) -> Option<&'a [String]> {
+    let labels = &draft.nested.get(&node_type)?.graph.parameters[input].labels;
+    (!labels.is_empty()).then_some(labels.as_slice())
 }
 
 /// Reports inputs that must be given and are not, unless a misspelt one was surely meant for it.
@@ -259,7 +290,7 @@ fn bind_source<'d>(
     let from = types.of(draft, source)?;
     // A shader is what makes a color; a parameter of type color is no more than the color.
     let unmade = to == Type::Shader
-        && from == Type::Color
+        && from != Type::Shader
         && matches!(source.kind, SourceKind::Parameter(_));
     if !from.converts_to(to) || unmade {
         mismatch::report(reader, draft, source, (from, to), what);

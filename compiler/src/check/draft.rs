@@ -24,6 +24,8 @@ pub(super) struct Draft<'d> {
     pub roots: Vec<DraftRoot<'d>>,
     /// Parts of the interface by name: `tint`, `layers[2].tint`.
     pub parameter_names: HashMap<String, usize>,
+    /// How many more values lists and arrays may give to nodes.
+    pub values_left: Cell<usize>,
     /// Bytes of the texts all of them keep: elements of an array have each their own.
     pub part_bytes: usize,
     /// Arrays and structs of the interface, and those within them.

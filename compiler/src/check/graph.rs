@@ -104,6 +104,7 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<
         nodes: Vec::new(),
         roots: Vec::new(),
         parameter_names: HashMap::new(),
+        values_left: Cell::new(MAX_NODES),
         part_bytes: 0,
         compounds: Vec::new(),
         compound_names: HashMap::new(),
@@ -149,8 +150,8 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<
         true => graph,
         false => expand::expand(reader, &draft, graph)?,
     };
-    let shapes = draft.compounds.into_iter().filter(|(name, _)| !name.contains(['.', '[']));
-    Some(Nested { graph, outside_loops, shapes: shapes.collect() })
+    let shapes = draft.compounds.drain(..).filter(|(name, _)| !name.contains(['.', '[']));
+    Some(Nested::new(&draft.library, graph, outside_loops, shapes.collect()))
 }
 
 /// Whether the document is meant as a graph; a finding if not.

@@ -18,6 +18,13 @@ const NUMERIC_KEYS: [&str; 9] =
 /// The keys of an integer.
 const INTEGER_KEYS: [&str; 10] =
     ["type", "default", "min", "max", "soft_min", "soft_max", "unit", "doc", "editor", "values"];
+/// The keys of an enumeration, whose range is that of its names.
+const ENUMERATION_KEYS: [&str; 6] = ["type", "default", "values", "unit", "doc", "editor"];
+/// The keys of any.
+const ALL_KEYS: [&str; 12] = [
+    "type", "default", "min", "max", "soft_min", "soft_max", "unit", "doc", "editor", "values",
+    "of", "members",
+];
 /// The keys of a parameter without an order.
 const PLAIN_KEYS: [&str; 4] = ["type", "default", "doc", "editor"];
 /// The keys of an array.
@@ -71,7 +78,7 @@ pub(super) fn read<'d>(reader: &mut Reader<'d>, value: Option<&'d Value>, draft:
         let before = draft.parameters.len();
         let shape = declared.and_then(|declared| {
             let default = member.value.get("default");
-            let mut parts = Parts { reader, draft, member };
+            let mut parts = Parts { reader, draft, member, told: HashSet::new() };
             parts.add(&declared, default, member.key.clone())
         });
         match shape {
@@ -82,8 +89,9 @@ pub(super) fn read<'d>(reader: &mut Reader<'d>, value: Option<&'d Value>, draft:
             }
             // Whatever reads it has a reason not to be understood.
             None => {
-                draft.parameters.truncate(before);
-                draft.parameter_names.retain(|_, at| *at < before);
+                for part in draft.parameters.drain(before..) {
+                    draft.parameter_names.remove(&part.name);
+                }
                 push(draft, member, member.key.clone(), None, None);
             }
         }
@@ -137,10 +145,13 @@ fn declaration<'d>(
         .required(reader, "type")
         .and_then(|value| reader.choice(value, "the type of a parameter", &choices));
     let keys: &[&str] = match said {
+        // What it may be is not known, so any of them may be right.
+        None => &ALL_KEYS,
+        Some(Said::One(Type::Integer)) if object.optional("values").is_some() => &ENUMERATION_KEYS,
         Some(Said::Array) => &ARRAY_KEYS,
         Some(Said::Struct) => &STRUCT_KEYS,
         Some(Said::One(Type::Scalar | Type::Color | Type::Vector)) => &NUMERIC_KEYS,
-        Some(Said::One(Type::Integer)) | None => &INTEGER_KEYS,
+        Some(Said::One(Type::Integer)) => &INTEGER_KEYS,
         Some(Said::One(_)) => &PLAIN_KEYS,
     };
     let keys: Vec<&str> = keys.iter().copied().filter(|key| top || *key != "default").collect();
@@ -205,6 +216,8 @@ struct Parts<'p, 'd> {
     draft: &'p mut Draft<'d>,
     /// The declaration findings point at.
     member: &'d Member,
+    /// Where declarations start whose missing default was told.
+    told: HashSet<usize>,
 }
 
 impl<'d> Parts<'_, 'd> {
@@ -316,6 +329,8 @@ impl<'d> Parts<'_, 'd> {
             (None, Type::Lights) => Some(Literal::Lights(Vec::new())),
             (None, Type::Texture) => Some(Literal::Texture(None)),
             (None, Type::Shader) => Some(Literal::NoShader),
+            // Elements of an array share the declaration that lacks it.
+            (None, _) if !self.told.insert(one.value.start) => None,
             (None, _) => {
                 let what = format!("parameter `{}`", shortened(name));
                 self.reader.missing(one.value, &what, "default");

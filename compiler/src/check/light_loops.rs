@@ -129,9 +129,12 @@ impl Walk<'_, '_> {
                 self.arrive(reader, &input.source);
             }
         }
-        for at in 0..signature.inputs.len() {
-            let given = draft.nodes[node].inputs.iter().any(|input| input.input == Some(at));
-            if !given && !is_body(at) && self.by_default[node_type.0][at] {
+        let mut given = vec![false; signature.inputs.len()];
+        for at in draft.nodes[node].inputs.iter().filter_map(|input| input.input) {
+            given[at] = true;
+        }
+        for (at, is_given) in given.into_iter().enumerate() {
+            if !is_given && !is_body(at) && self.by_default[node_type.0][at] {
                 self.report(reader, node, None, signature.inputs[at].name);
                 break;
             }

@@ -133,6 +133,7 @@ fn texture<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Texture> {
         None => None,
         Some(space) => Some(reader.choice(space, "the space of a texture", &Space::ALL)?),
     };
+    reader.files.push(file);
     let file = reader.string(file, "the file of a texture")?;
     let path = beside(&reader.document.file.name, file);
     Some(Texture { space: space.unwrap_or(Space::of_file(file)), file: path.display().to_string() })

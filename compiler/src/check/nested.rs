@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::diagnostics::{Code, Finding, Findings, Place, SourceFile};
 use crate::document::{Document, Reader, Value, read_file, shortened};
-use crate::graph::{Graph, Root, RootKind};
+use crate::graph::{Binding, Graph, Root, RootKind};
 use crate::nodes::{
     Default, Definition, FINITE, Input, Kind, NodeLibrary, Output, Overload, Signature, Type,
 };
@@ -79,9 +79,47 @@ pub(super) struct Nested {
     pub outside_loops: Vec<bool>,
     /// The arrays and structs among its parameters.
     pub shapes: Vec<(String, Shape)>,
+    /// Positions of its parameters.
+    pub positions: HashMap<String, usize>,
+    /// What it asks below the root whose value it has as a node: requests and loops, each once.
+    pub asks: Vec<Kind>,
 }
 
 impl Nested {
+    /// What others need to know of a phenomenon that was checked.
+    pub fn new(
+        library: &NodeLibrary,
+        graph: Graph,
+        outside_loops: Vec<bool>,
+        shapes: Vec<(String, Shape)>,
+    ) -> Self {
+        let names = graph.parameters.iter().enumerate();
+        let positions = names.map(|(at, parameter)| (parameter.name.clone(), at)).collect();
+        let mut nested = Self { graph, outside_loops, shapes, positions, asks: Vec::new() };
+        nested.asks = nested.find_asks(library);
+        nested
+    }
+
+    fn find_asks(&self, library: &NodeLibrary) -> Vec<Kind> {
+        let mut asks: Vec<Kind> = Vec::new();
+        let mut reached = vec![false; self.graph.nodes.len()];
+        let mut pending: Vec<&Binding> =
+            self.root().map_or(Vec::new(), |root| vec![&root.color, &root.ok]);
+        while let Some(binding) = pending.pop() {
+            let Binding::Node { node, .. } = binding else { continue };
+            if std::mem::replace(&mut reached[*node], true) {
+                continue;
+            }
+            let node = &self.graph.nodes[*node];
+            pending.extend(&node.inputs);
+            let kind = &library.signature(node.node_type).kind;
+            if matches!(kind, Kind::Request(_) | Kind::LightLoop) && !asks.contains(kind) {
+                asks.push(kind.clone());
+            }
+        }
+        asks
+    }
+
     /// The root whose value the phenomenon has as a node: the first there is, as [`RootKind::ALL`]
     /// has them, but a texture before all, which is only ever called by other shaders.
     pub fn root(&self) -> Option<&Root> {

@@ -1,8 +1,10 @@
 //! Reading `nodes`: types, inputs and connections by name.
 
+use std::collections::{HashMap, HashSet};
+
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Member, Reader, Value, ValueKind, listed, shortened};
-use crate::nodes::NodeType;
+use crate::nodes::{NodeType, Signature};
 
 use super::MAX_NODES;
 use super::draft::{Draft, DraftInput, DraftNode};
@@ -159,6 +161,36 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
     found
 }
 
+/// Positions of the parameters of the phenomenon a node is.
+fn signature_positions<'a>(
+    draft: &'a Draft<'_>,
+    node: usize,
+) -> Option<&'a HashMap<String, usize>> {
+    Some(&draft.nested.get(&draft.nodes[node].node_type?)?.positions)
+}
+
+/// Reports parts that are given by themselves and within a whole, which leaves open what counts.
+fn check_given_twice(reader: &mut Reader<'_>, signature: &Signature, inputs: &[DraftInput<'_>]) {
+    let mut given: HashMap<usize, &Member> = HashMap::new();
+    let mut told: HashSet<usize> = HashSet::new();
+    for input in inputs {
+        let Some(at) = input.input.filter(|at| !signature.inputs[*at].list) else { continue };
+        let Some(first) = given.insert(at, input.member) else { continue };
+        if first.key_start != input.member.key_start && told.insert(input.member.key_start) {
+            let part = shortened(signature.inputs[at].name);
+            let message = format!(
+                "`{}` gives the part `{part}`, which `{}` gives too",
+                shortened(&input.member.key),
+                shortened(&first.key)
+            );
+            let place = reader.document.place_of_key(input.member);
+            let finding = Finding::new(Code::DUPLICATE_KEY, place, message, "remove one of them");
+            let first = reader.document.place_of_key(first);
+            reader.findings.push(finding.with_related(first, "first given here"));
+        }
+    }
+}
+
 /// The array or struct an input of a phenomenon is.
 fn shape_of<'a>(draft: &'a Draft<'_>, node: usize, member: &Member) -> Option<&'a Shape> {
     let nested = draft.nested.get(&draft.nodes[node].node_type?)?;
@@ -188,16 +220,15 @@ fn read_inputs<'d>(
             inputs.extend(values.into_iter().map(|source| DraftInput { member, input, source }));
             continue;
         }
-        if let (None, Some(signature), Some(shape)) =
-            (input, signature, shape_of(draft, node, member))
-        {
+        if let (None, Some(shape)) = (input, shape_of(draft, node, member)) {
             let mut parts = Vec::new();
             let given = (&member.value, member.key.as_str());
             shapes::spread(reader, draft, shape, given, &what(), &mut parts);
-            inputs.extend(parts.into_iter().map(|(part, source)| {
-                let input = signature.input(&part);
-                DraftInput { member, input, source }
-            }));
+            let nested = signature_positions(draft, node);
+            for (part, source) in parts {
+                let input = nested.and_then(|positions| positions.get(&part).copied());
+                inputs.push(DraftInput { member, input, source });
+            }
             continue;
         }
         if let Some(signature) = signature
@@ -220,6 +251,9 @@ fn read_inputs<'d>(
         }
         let source = sources::read(reader, &member.value, draft);
         inputs.push(DraftInput { member, input, source });
+    }
+    if let Some(signature) = signature {
+        check_given_twice(reader, signature, &inputs);
     }
     inputs
 }

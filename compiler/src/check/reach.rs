@@ -28,8 +28,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
     let mut told = HashSet::new();
     for (at, parameter) in draft.parameters.iter().enumerate() {
         if !read.contains(&declared(at)) && told.insert(declared(at)) {
-            let name = parameter.name.split('[').next().unwrap_or_default();
-            let name = shortened(name);
+            let name = shortened(&any_element(&parameter.name));
             let place = reader.document.place_of_key(parameter.member);
             let message = format!("nothing reads parameter `{name}`");
             let help = format!("connect it with `{{ \"interface\": \"{name}\" }}`, or remove it");
@@ -101,4 +100,19 @@ fn unreachable_nodes(reader: &mut Reader<'_>, draft: &Draft<'_>) {
             reader.findings.push(Finding::new(Code::UNREACHABLE_NODE, place, message, help));
         }
     }
+}
+
+/// The name of a part for all elements of the arrays it is in: `layers[…].tint`.
+fn any_element(name: &str) -> String {
+    let mut all = String::with_capacity(name.len());
+    let mut inside = false;
+    for c in name.chars() {
+        match c {
+            '[' => all.push_str("[…"),
+            _ if inside && c != ']' => {}
+            _ => all.push(c),
+        }
+        inside = c == '[' || inside && c != ']';
+    }
+    all
 }

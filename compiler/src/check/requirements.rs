@@ -31,6 +31,8 @@ pub(super) const KEYS: [&str; 11] = [
 #[derive(Clone, Debug, Default)]
 pub(super) struct Joined {
     exclusive: BTreeMap<&'static str, Required>,
+    /// Keys of which a conflict was told: those who require either make no new mistake.
+    conflicts: BTreeSet<&'static str>,
     /// All but the exclusive ones.
     rest: Requirements,
 }
@@ -88,7 +90,7 @@ impl Joined {
         };
         if refines(there.value, required.value) {
             *there = required;
-        } else if !refines(required.value, there.value) {
+        } else if !refines(required.value, there.value) && self.conflicts.insert(key) {
             let message = format!(
                 "{} requires `{key}` to be `{}`, but {} requires `{}`",
                 required.by, required.value, there.by, there.value
@@ -98,8 +100,6 @@ impl Joined {
                 Finding::new(Code::CONFLICTING_REQUIREMENTS, required.place.clone(), message, help);
             let related = format!("{} requires `{}` here", there.by, there.value);
             reader.findings.push(finding.with_related(there.place.clone(), related));
-            // Whoever else requires the same makes no new mistake.
-            *there = required;
         }
     }
 }

@@ -97,7 +97,8 @@ fn read_shaders<'d>(
     };
     let is_shader =
         |element: &Value| matches!(element.kind, ValueKind::Object(_) | ValueKind::Array(_));
-    if !elements.is_empty() && !elements.iter().any(is_shader) {
+    // A number among them makes it a color, in which no connection can stand.
+    if !elements.is_empty() && !elements.iter().all(is_shader) {
         return vec![sources::read(reader, value, draft)];
     }
     if elements.is_empty() {

@@ -9,6 +9,7 @@ use crate::diagnostics::{Code, Finding};
 use crate::document::{Member, Reader, Value, ValueKind, listed, nearest, shortened};
 use crate::nodes::Type;
 
+use super::MAX_NODES;
 use super::draft::{Draft, Source, SourceKind};
 use super::literals::with_article;
 use super::sources;
@@ -77,12 +78,40 @@ impl Shape {
                 from.len() == to.len() && from.iter().zip(to).all(|(from, to)| from.fits(to))
             }
             (Shape::Struct(from), Shape::Struct(to)) => {
-                let same = |((a, from), (b, to)): (&(String, Shape), &(String, Shape))| {
-                    a == b && from.fits(to)
+                let from: HashMap<&str, &Shape> =
+                    from.iter().map(|(name, shape)| (name.as_str(), shape)).collect();
+                let same = |(name, to): &(String, Shape)| {
+                    from.get(name.as_str()).is_some_and(|from| from.fits(to))
                 };
-                from.len() == to.len() && from.iter().zip(to).all(same)
+                from.len() == to.len() && to.iter().all(same)
             }
             _ => false,
+        }
+    }
+
+    /// The first part in which a value of this shape differs from what is wanted.
+    fn difference(&self, to: &Shape, name: &str) -> Option<String> {
+        let told = |from: &Shape, to: &Shape| {
+            let part = if name.is_empty() { "it".into() } else { format!("its part `{name}`") };
+            Some(format!("{part} must be {}, not {}", to.describe(), from.describe()))
+        };
+        match (self, to) {
+            (Shape::Array(from), Shape::Array(to)) if from.len() == to.len() => {
+                let mut pairs = from.iter().zip(to).enumerate();
+                pairs.find_map(|(at, (from, to))| from.difference(to, &element_name(name, at)))
+            }
+            (Shape::Struct(from), Shape::Struct(to)) if from.len() == to.len() => {
+                to.iter().find_map(|(member, to)| {
+                    let name =
+                        if name.is_empty() { member.clone() } else { member_name(name, member) };
+                    match from.iter().find(|(of, _)| of == member) {
+                        Some((_, from)) => from.difference(to, &name),
+                        None => Some(format!("it lacks the part `{name}`")),
+                    }
+                })
+            }
+            (from, to) if from.fits(to) => None,
+            (from, to) => told(from, to),
         }
     }
 
@@ -134,16 +163,31 @@ pub(super) fn spread<'d>(
         let source = sources::read(reader, value, draft);
         match source.kind {
             SourceKind::Compound(at) if draft.compounds[at].1.fits(shape) => {
-                let (from, given) = &draft.compounds[at];
-                for ((to, _), (from, _)) in shape.parts(name).into_iter().zip(given.parts(from)) {
-                    let kind = draft.parameter_names.get(&from);
+                let from = &draft.compounds[at].0;
+                let wanted = shape.parts(name);
+                if !take(reader, draft, value, wanted.len()) {
+                    parts.push(broken);
+                    return;
+                }
+                // Both have the same parts, if in another order: what follows their names agrees.
+                for (to, _) in wanted {
+                    let kind = draft.parameter_names.get(&format!("{from}{}", &to[name.len()..]));
                     let kind = kind.map_or(SourceKind::Broken, |at| SourceKind::Parameter(*at));
                     parts.push((to, Source { value, kind }));
                 }
                 return;
             }
             SourceKind::Compound(at) => {
-                mismatch(reader, value, shape, what, &draft.compounds[at].1.describe());
+                let given = &draft.compounds[at].1;
+                match given.difference(shape, "") {
+                    // Where the whole differs, that says it best.
+                    Some(difference) if !difference.starts_with("it must") => {
+                        let message = format!("{what} takes other parts: {difference}");
+                        let help = "declare the same parts, of types that convert";
+                        reader.report(Code::TYPE_MISMATCH, value, message, help);
+                    }
+                    _ => mismatch(reader, value, shape, what, &given.describe()),
+                }
             }
             SourceKind::Parameter(at) => {
                 if let Some(value_type) = draft.parameters[at].value_type {
@@ -174,6 +218,7 @@ pub(super) fn spread<'d>(
             }
         }
         (Shape::Struct(members), _, Some(given)) => {
+            reader.object(value, "a struct", &["struct"]);
             let names: Vec<&str> = members.iter().map(|(name, _)| name.as_str()).collect();
             let by_name: HashMap<&str, &Shape> =
                 members.iter().map(|(name, shape)| (name.as_str(), shape)).collect();
@@ -227,6 +272,9 @@ pub(super) fn list<'d>(
             reader.report(Code::WRONG_LENGTH, value, format!("{what} is an empty list"), help);
             return broken;
         }
+        if !take(reader, draft, value, elements.len()) {
+            return broken;
+        }
         return elements.iter().map(|element| sources::read(reader, element, draft)).collect();
     }
     let source = match &value.kind {
@@ -237,6 +285,9 @@ pub(super) fn list<'d>(
     let message = match source.kind {
         SourceKind::Broken => return broken,
         SourceKind::Compound(at) => match &draft.compounds[at] {
+            (_, Shape::Array(elements)) if !take(reader, draft, value, elements.len()) => {
+                return broken;
+            }
             (name, Shape::Array(elements)) if is_flat(elements) => {
                 let parts = Shape::Array(elements.clone()).parts(name);
                 let parameters = parts.iter().map(|(name, _)| draft.parameter_names.get(name));
@@ -258,6 +309,23 @@ pub(super) fn list<'d>(
     };
     reader.report(Code::TYPE_MISMATCH, value, message, help);
     broken
+}
+
+/// Takes values from what lists and arrays may give to nodes in all; a finding where that is too much.
+fn take(reader: &mut Reader<'_>, draft: &Draft<'_>, value: &Value, count: usize) -> bool {
+    let left = draft.values_left.get();
+    if let Some(left) = left.checked_sub(count) {
+        draft.values_left.set(left);
+        return true;
+    }
+    // Told once: what comes after is as much too much.
+    if left > 0 {
+        draft.values_left.set(0);
+        let message = format!("lists and arrays give nodes more than {MAX_NODES} values in all");
+        let help = "hand over fewer or shorter arrays";
+        reader.report(Code::TOO_MANY_NODES, value, message, help);
+    }
+    false
 }
 
 fn is_flat(elements: &[Shape]) -> bool {

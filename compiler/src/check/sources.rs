@@ -123,12 +123,22 @@ fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
         return SourceKind::Parameter(parameter);
     }
     let names = || draft.parameters.iter().map(|parameter| parameter.name.as_str());
+    let wholes = || draft.compounds.iter().map(|(name, _)| name.as_str());
     // One number is as near as another, so an index is no misspelling.
-    let near = draft.suggestions.nearest(name, names()).filter(|_| !name.ends_with(']'));
+    let near = match name.contains('[') {
+        true => None,
+        false => draft
+            .suggestions
+            .nearest(name, names())
+            .or_else(|| draft.suggestions.nearest(name, wholes())),
+    };
     let help = match near {
         Some(near) => near.help(),
         None if draft.compound_names.contains_key(whole) => {
-            let parts = names().filter(|part| part.starts_with(whole) && *part != whole);
+            let of_whole = |part: &str| {
+                part.strip_prefix(whole).is_some_and(|rest| rest.starts_with(['.', '[']))
+            };
+            let parts = names().filter(|part| of_whole(part));
             format!("its parts are {}", listed(parts))
         }
         None if draft.node_names.contains_key(name) => {

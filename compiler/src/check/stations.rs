@@ -74,12 +74,10 @@ fn report(
     node_type: NodeType,
 ) -> bool {
     let signature = draft.library.signature(node_type);
-    // A phenomenon does whatever its nodes do.
+    // A phenomenon asks whatever its nodes ask.
     let inner = draft.nested.get(&node_type);
-    let why = forbidden(station, &signature.kind).or_else(|| {
-        let mut nodes = inner?.graph.nodes.iter();
-        nodes.find_map(|node| forbidden(station, &draft.library.signature(node.node_type).kind))
-    });
+    let why = forbidden(station, &signature.kind)
+        .or_else(|| inner?.asks.iter().find_map(|kind| forbidden(station, kind)));
     if let Some(inner) = inner
         && !inner.graph.requirements.applies_to(station)
     {

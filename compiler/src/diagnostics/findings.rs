@@ -13,6 +13,8 @@ pub const SHOWN_FINDINGS: usize = 1_000;
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
     kept: Vec<Finding>,
+    /// How many of the kept are no errors.
+    others: usize,
     /// Findings made but not kept, by severity: note, warning, error.
     omitted: [usize; 3],
 }
@@ -21,10 +23,21 @@ impl Findings {
     /// Adds a finding, or counts it where there are too many.
     pub fn push(&mut self, finding: Finding) {
         if self.kept.len() < KEPT_FINDINGS {
+            self.others += usize::from(finding.severity != Severity::Error);
             self.kept.push(finding);
-        } else {
-            self.omitted[finding.severity as usize] += 1;
+            return;
         }
+        let mut left_out = finding;
+        // An error takes the place of what is none: no number of warnings may hide one.
+        if left_out.severity == Severity::Error
+            && self.others > 0
+            && let Some(other) =
+                self.kept.iter_mut().rev().find(|it| it.severity != Severity::Error)
+        {
+            std::mem::swap(other, &mut left_out);
+            self.others -= 1;
+        }
+        self.omitted[left_out.severity as usize] += 1;
     }
 
     /// Whether later findings will only be counted: their texts need not be good.

@@ -11,7 +11,7 @@ const INDENTED: usize = 20;
 
 /// The document as text, two spaces a level. The file, its sections (`interface`, `nodes`,
 /// `objects` …) and what they list have one line for each member; in what is listed, such as a node,
-/// lines are filled up to [`WIDTH`]. Numbers stay as written, strings are escaped only where they
+/// lines are filled up to 120 characters. Numbers stay as written, strings are escaped only where they
 /// must be, and one blank line stays one.
 pub fn canonical(document: &Document) -> String {
     let mut layout = Layout { source: &document.file.text, text: String::new(), line: 0 };

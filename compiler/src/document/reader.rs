@@ -15,6 +15,8 @@ pub struct Reader<'d> {
     pub document: &'d Document,
     /// What was found so far.
     pub findings: Findings,
+    /// Strings that name files which are opened as they are, for whoever can look.
+    pub files: Vec<&'d Value>,
 }
 
 /// An object whose keys are known.
@@ -54,7 +56,7 @@ impl<'d> Object<'d> {
 impl<'d> Reader<'d> {
     /// A reader of `document` that has already reported its duplicate keys.
     pub fn new(document: &'d Document) -> Self {
-        let mut reader = Self { document, findings: Findings::default() };
+        let mut reader = Self { document, findings: Findings::default(), files: Vec::new() };
         reader.duplicates(&document.root);
         reader
     }

@@ -115,6 +115,7 @@ impl Parameter {
             Type::Light if text.is_empty() => Err(self.type_error(text)),
             Type::Light => Ok(Literal::Light(text.to_owned())),
             Type::Texture => Ok(Literal::Texture(texture(text))),
+            Type::Shader if text == "null" => Ok(Literal::NoShader),
             Type::Shader => Err(self.type_error(text)),
             Type::Lights => {
                 let names = text.split(',').map(str::trim).filter(|name| !name.is_empty());
@@ -210,7 +211,9 @@ impl Parameter {
             }
             Type::Light => "the name of a light".into(),
             Type::Lights => "names of lights joined by commas".into(),
-            Type::Shader => "it in a graph that uses this one: only a node can be a shader".into(),
+            Type::Shader => {
+                "`null`; only a node can be a shader, in a graph that uses this one".into()
+            }
             Type::Generic => "numbers".into(),
         };
         BindError::Type {

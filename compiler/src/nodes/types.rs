@@ -95,7 +95,8 @@ impl Type {
     }
 
     /// Whether a value of this type is converted without a node: integer to scalar, scalar (or
-    /// integer) to color, a light to a list of one, the color of a node to the shader that makes it.
+    /// integer) to color, a light to a list of one, the color of a node (or what becomes one) to the shader
+    /// that makes it.
     pub fn converts_to(self, to: Type) -> bool {
         self == to
             || matches!(
@@ -103,7 +104,7 @@ impl Type {
                 (Type::Integer, Type::Scalar | Type::Color)
                     | (Type::Scalar, Type::Color)
                     | (Type::Light, Type::Lights)
-                    | (Type::Color, Type::Shader)
+                    | (Type::Integer | Type::Scalar | Type::Color, Type::Shader)
             )
     }
 }

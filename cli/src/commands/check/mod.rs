@@ -103,7 +103,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let unreadable = findings
         .iter()
         .any(|finding| finding.code == Code::UNREADABLE_FILE && finding.place.file.text.is_empty());
-    let wrong = omitted > 0 || findings.iter().any(|finding| finding.severity == Severity::Error);
+    // What is omitted is no error unless as many errors are kept.
+    let wrong = findings.iter().any(|finding| finding.severity == Severity::Error);
     let color = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     terminal::print(&Report::new(findings, omitted).text(arguments.format, color))?;
     Ok(match (unreadable, wrong) {

@@ -103,14 +103,14 @@ impl Builder<'_> {
             let problem = format!("a {} arrives where a {} is due", from.name(), to.name());
             return Err(inconsistent(self.views.name(view), &problem));
         }
-        // A shader is called where its words are read.
-        if to == Type::Shader {
+        // A shader is called where its words are read: it is its color.
+        if (from, to) == (Type::Color, Type::Shader) {
             return Ok(built);
         }
         if from == Type::Integer {
             built = self.integer_to_scalar(built)?;
         }
-        if to == Type::Color {
+        if matches!(to, Type::Color | Type::Shader) {
             let (x, one) = (built.words[0], self.result.uniforms.constant(1.0_f32.to_bits()));
             built.words = vec![x, x, x, one];
         }
