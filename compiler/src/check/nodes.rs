@@ -205,6 +205,7 @@ fn read_inputs<'d>(
 ) -> Vec<DraftInput<'d>> {
     let Some(members) = reader.members(value, "`inputs`") else { return Vec::new() };
     let signature = draft.nodes[node].node_type.map(|it| draft.library.signature(it));
+    let mut has_parts = false;
     let mut inputs = Vec::new();
     for member in members {
         let input = signature.and_then(|signature| signature.input(&member.key));
@@ -224,6 +225,7 @@ fn read_inputs<'d>(
             let mut parts = Vec::new();
             let given = (&member.value, member.key.as_str());
             shapes::spread(reader, draft, shape, given, &what(), &mut parts);
+            has_parts = true;
             let nested = signature_positions(draft, node);
             for (part, source) in parts {
                 let input = nested.and_then(|positions| positions.get(&part).copied());
@@ -252,7 +254,8 @@ fn read_inputs<'d>(
         let source = sources::read(reader, &member.value, draft);
         inputs.push(DraftInput { member, input, source });
     }
-    if let Some(signature) = signature {
+    // Only parts of arrays and structs can be given in two ways: keys were looked at when read.
+    if let (Some(signature), true) = (signature, has_parts) {
         check_given_twice(reader, signature, &inputs);
     }
     inputs
