@@ -11,6 +11,7 @@ pub mod film;
 pub mod geometry;
 pub mod lights;
 pub mod monoliths;
+pub mod outputs;
 pub mod render;
 pub mod sampling;
 pub mod scene;

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::diagnostics::{Code, Finding, Findings, Place, SourceFile};
-use crate::document::{Document, Reader, Value, read_file, shortened};
+use crate::document::{Document, Reader, Value, irregular, open_file, read_file, shortened};
 use crate::graph::{Binding, Graph, Root, RootKind};
 use crate::nodes::{
     Default, Definition, FINITE, Input, Kind, NodeLibrary, Output, Overload, Signature, Type,
@@ -40,12 +40,10 @@ pub struct OnDisk;
 
 impl Files for OnDisk {
     fn read(&self, path: &Path) -> Result<Document, Box<Finding>> {
-        match std::fs::metadata(path) {
-            // Nobody may ever write to a pipe that a file names.
-            Ok(metadata) if !metadata.is_file() && !metadata.is_dir() => {
-                Err(no_ordinary_file(path))
-            }
-            _ => read_file(path),
+        // The place that names the file says which it is.
+        match std::fs::metadata(path).ok().as_ref().and_then(irregular) {
+            Some(what) => Err(no_ordinary_file(path, what)),
+            None => read_file(path),
         }
     }
 
@@ -54,21 +52,19 @@ impl Files for OnDisk {
     }
 
     fn unusable(&self, path: &Path) -> Option<String> {
-        match std::fs::metadata(path) {
-            Ok(metadata) if metadata.is_dir() => Some("it is a folder".into()),
-            // Opening a pipe would wait for somebody to write.
-            Ok(metadata) if !metadata.is_file() => Some("it is no ordinary file".into()),
-            Ok(_) => std::fs::File::open(path).err().map(|error| error.to_string()),
-            Err(error) => Some(error.to_string()),
+        match open_file(path) {
+            Err(error) if error.kind() == std::io::ErrorKind::IsADirectory => {
+                Some("it is a folder".into())
+            }
+            opened => opened.err().map(|error| error.to_string()),
         }
     }
 }
 
-fn no_ordinary_file(path: &Path) -> Box<Finding> {
+fn no_ordinary_file(path: &Path, what: String) -> Box<Finding> {
     let file = Arc::new(SourceFile::new(path.display().to_string(), ""));
     let place = Place { file, start: 0, end: 0, path: String::new() };
-    let help = "name a file";
-    Box::new(Finding::new(Code::UNREADABLE_FILE, place, "it is no ordinary file", help))
+    Box::new(Finding::new(Code::UNREADABLE_FILE, place, what, "name a file"))
 }
 
 /// A phenomenon that others use.

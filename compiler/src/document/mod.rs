@@ -4,6 +4,7 @@
 //! report them, and numbers as written.
 
 mod canonical;
+mod open;
 mod places;
 mod prescan;
 mod read;
@@ -16,8 +17,10 @@ use std::sync::Arc;
 use crate::diagnostics::SourceFile;
 
 pub use canonical::canonical;
+pub(crate) use open::irregular;
+pub use open::{open_file, opened_files};
 pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES};
-pub use read::{read, read_file};
+pub use read::{read, read_file, read_from};
 pub use reader::listed;
 pub use reader::{Object, Reader};
 pub(crate) use reader::{shortened, shown};

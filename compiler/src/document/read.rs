@@ -10,6 +10,7 @@ use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 
 use crate::diagnostics::{Code, Finding, Place, SourceFile};
 
+use super::open::open_file;
 use super::prescan::{MAX_FILE_BYTES, prescan};
 use super::syntax;
 use super::{Document, Member, Value, ValueKind};
@@ -66,25 +67,31 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Box<Finding>> {
     }
 }
 
-/// Reads a file from disk.
+/// Reads a file from disk: a regular one, so that nothing is waited for.
 ///
 /// # Errors
 /// One finding: unreadable, or what [`read`] finds.
 pub fn read_file(path: &Path) -> Result<Document, Box<Finding>> {
     let name = path.display().to_string();
-    let unreadable = |error: std::io::Error| unreadable(&name, &error);
-    let file = std::fs::File::open(path).map_err(unreadable)?;
-    let metadata = file.metadata().map_err(unreadable)?;
-    if metadata.is_dir() {
-        return Err(unreadable(std::io::Error::from(std::io::ErrorKind::IsADirectory)));
+    let (file, bytes) = open_file(path).map_err(|error| unreadable(&name, &error))?;
+    if bytes > MAX_FILE_BYTES as u64 {
+        return Err(too_large(&name, bytes));
     }
-    if metadata.len() > MAX_FILE_BYTES as u64 {
-        return Err(too_large(&name, metadata.len()));
-    }
-    // Metadata says nothing of pipes and devices: never take more than the limit.
+    read_from(&name, file)
+}
+
+/// Reads what may be no file, such as standard input; `name` is how findings call it.
+///
+/// # Errors
+/// One finding: unreadable, or what [`read`] finds.
+pub fn read_from(name: &str, source: impl Read) -> Result<Document, Box<Finding>> {
+    // Nobody says beforehand how much there is: never take more than the limit.
     let mut bytes = Vec::new();
-    file.take(MAX_FILE_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-    read(&name, &bytes)
+    source
+        .take(MAX_FILE_BYTES as u64 + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|error| unreadable(name, &error))?;
+    read(name, &bytes)
 }
 
 fn convert(value: ast::Value<'_>) -> Value {

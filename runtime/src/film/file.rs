@@ -1,6 +1,6 @@
 //! Picture files.
 
-use std::io::Cursor;
+use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
 
 use exr::prelude::{
@@ -8,10 +8,12 @@ use exr::prelude::{
     Vec2, WritableImage,
 };
 
+use phenomenon_compiler::document::open_file;
 use phenomenon_compiler::nodes::Space;
 
 use super::buffer::{Film, SizeError};
 use super::encoding::{srgb_byte, srgb_decoded};
+use crate::outputs::{self, WriteError};
 
 /// Why a picture could not be written or read.
 #[derive(Debug, thiserror::Error)]
@@ -23,13 +25,8 @@ pub enum FilmError {
         path: PathBuf,
     },
     /// It cannot be written.
-    #[error("cannot write {path}: {source}", path = path.display())]
-    Unwritable {
-        /// The file.
-        path: PathBuf,
-        /// What the system says.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    Unwritable(#[from] WriteError),
     /// It cannot be read.
     #[error("cannot read {path}: {source}", path = path.display())]
     Unreadable {
@@ -90,19 +87,22 @@ pub fn check_format(path: &Path) -> Result<(), FilmError> {
     format(path).map(|_| ())
 }
 
-/// Writes a picture in the format of its file's ending. PNG is sRGB-encoded in 8 bits without
+/// Writes a picture as [`encode`] makes it, whole or not at all.
+pub fn write(film: &Film, path: &Path, exposure: f32) -> Result<(), FilmError> {
+    Ok(outputs::write(path, &encode(film, path, exposure)?)?)
+}
+
+/// The bytes of a picture in the format of its file's ending. PNG is sRGB-encoded in 8 bits without
 /// alpha, after every colour is multiplied by `exposure` (a factor; 1 changes nothing). EXR (f32,
 /// with alpha) and HDR (shared exponent, without alpha) keep the scene-linear values as they are.
 /// The same picture gives the same bytes.
-pub fn write(film: &Film, path: &Path, exposure: f32) -> Result<(), FilmError> {
+pub fn encode(film: &Film, path: &Path, exposure: f32) -> Result<Vec<u8>, FilmError> {
     let malformed = |message: String| FilmError::Malformed { path: path.to_owned(), message };
-    let bytes = match format(path)? {
-        Format::Png => png(film, exposure).map_err(|error| malformed(error.to_string()))?,
-        Format::Exr => exr(film).map_err(|error| malformed(error.to_string()))?,
-        Format::Hdr => hdr(film).map_err(|error| malformed(error.to_string()))?,
-    };
-    std::fs::write(path, bytes)
-        .map_err(|source| FilmError::Unwritable { path: path.to_owned(), source })
+    match format(path)? {
+        Format::Png => png(film, exposure).map_err(|error| malformed(error.to_string())),
+        Format::Exr => exr(film).map_err(|error| malformed(error.to_string())),
+        Format::Hdr => hdr(film).map_err(|error| malformed(error.to_string())),
+    }
 }
 
 fn png(film: &Film, exposure: f32) -> image::ImageResult<Vec<u8>> {
@@ -163,12 +163,14 @@ pub fn read(path: &Path) -> Result<Film, FilmError> {
 pub fn read_as(path: &Path, space: Option<Space>) -> Result<Film, FilmError> {
     let format = picture_format(path)?;
     let unreadable = |source| FilmError::Unreadable { path: path.to_owned(), source };
-    let metadata = std::fs::metadata(path).map_err(unreadable)?;
-    // A device or a pipe may never end, and no picture within the limits of size is as large.
-    if !metadata.is_file() || metadata.len() > FILE_BYTES_LIMIT {
-        return Err(unreadable(std::io::ErrorKind::InvalidInput.into()));
+    let (file, size) = open_file(path).map_err(unreadable)?;
+    // No picture within the limits of size is as large.
+    if size > FILE_BYTES_LIMIT {
+        let error = std::io::ErrorKind::FileTooLarge;
+        return Err(unreadable(error.into()));
     }
-    let bytes = std::fs::read(path).map_err(unreadable)?;
+    let mut bytes = Vec::new();
+    file.take(FILE_BYTES_LIMIT).read_to_end(&mut bytes).map_err(unreadable)?;
     let malformed = |error: image::ImageError| FilmError::Malformed {
         path: path.to_owned(),
         message: error.to_string(),

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use phenomenon_compiler::document::open_file;
+
 use super::mesh::{Mesh, MeshError};
 
 /// Largest OBJ file that is read, in bytes.
@@ -58,18 +60,10 @@ pub enum ObjError {
 /// left out, material libraries ignored.
 pub fn read_obj(path: &Path, normals: Normals) -> Result<Mesh, ObjError> {
     let unreadable = |source| ObjError::Unreadable { path: path.to_owned(), source };
-    let metadata = std::fs::metadata(path).map_err(unreadable)?;
-    if metadata.is_dir() {
-        return Err(unreadable(std::io::ErrorKind::IsADirectory.into()));
+    let (file, bytes) = open_file(path).map_err(unreadable)?;
+    if bytes > OBJ_BYTES_LIMIT {
+        return Err(ObjError::TooLarge { path: path.to_owned(), bytes });
     }
-    // A device or a pipe may never end, or never begin.
-    if !metadata.is_file() {
-        return Err(unreadable(std::io::ErrorKind::InvalidInput.into()));
-    }
-    if metadata.len() > OBJ_BYTES_LIMIT {
-        return Err(ObjError::TooLarge { path: path.to_owned(), bytes: metadata.len() });
-    }
-    let file = std::fs::File::open(path).map_err(unreadable)?;
     let mut reader = std::io::BufReader::new(file);
     let options = tobj::LoadOptions {
         triangulate: true,
