@@ -1,200 +1,115 @@
 //! Picture files.
 
-use std::io::{Cursor, Read};
-use std::path::{Path, PathBuf};
+use std::io::{BufRead, BufReader, Seek};
+use std::path::Path;
 
-use exr::prelude::{
-    Blocks, Compression, Encoding, Image, Layer, LayerAttributes, LineOrder, SpecificChannels,
-    Vec2, WritableImage,
-};
-
-use phenomenon_compiler::document::open_file;
 use phenomenon_compiler::nodes::Space;
 
+use super::alpha::mapped;
 use super::buffer::{Film, SizeError};
-use super::encoding::{srgb_byte, srgb_decoded};
-use crate::outputs::{self, WriteError};
+use super::bytes::Bytes;
+use super::encoding::srgb_decoded;
+use super::fault::{Fault, FilmError};
+use super::header::{Format, open, parsed, read_from};
+use super::{open_exr, radiance, raster};
+use crate::outputs;
 
-/// Why a picture could not be written or read.
-#[derive(Debug, thiserror::Error)]
-pub enum FilmError {
-    /// The file's ending names no format.
-    #[error("{}: the ending must be .png, .exr or .hdr", path.display())]
-    UnknownFormat {
-        /// The file.
-        path: PathBuf,
-    },
-    /// It cannot be written.
-    #[error(transparent)]
-    Unwritable(#[from] WriteError),
-    /// It cannot be read.
-    #[error("cannot read {path}: {source}", path = path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// What the system says.
-        source: std::io::Error,
-    },
-    /// It is not a picture of its format, or too large for it.
-    #[error("{path} is not a usable picture: {message}", path = path.display())]
-    Malformed {
-        /// The file.
-        path: PathBuf,
-        /// What the decoder says.
-        message: String,
-    },
-    /// Its size is not possible.
-    #[error("{path}: {source}", path = path.display())]
-    Size {
-        /// The file.
-        path: PathBuf,
-        /// Which size.
-        source: SizeError,
-    },
-}
-
-#[derive(Clone, Copy)]
-enum Format {
-    Png,
-    Exr,
-    Hdr,
-}
-
-fn format(path: &Path) -> Result<Format, FilmError> {
-    let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
-    match ending.as_deref() {
-        Some("png") => Ok(Format::Png),
-        Some("exr") => Ok(Format::Exr),
-        Some("hdr") => Ok(Format::Hdr),
-        _ => Err(FilmError::UnknownFormat { path: path.to_owned() }),
-    }
-}
-
-fn picture_format(path: &Path) -> Result<image::ImageFormat, FilmError> {
-    let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
-    if matches!(ending.as_deref(), Some("jpg" | "jpeg")) {
-        return Ok(image::ImageFormat::Jpeg);
-    }
-    Ok(match format(path)? {
-        Format::Png => image::ImageFormat::Png,
-        Format::Exr => image::ImageFormat::OpenExr,
-        Format::Hdr => image::ImageFormat::Hdr,
-    })
+fn written_format(path: &Path) -> Result<Format, FilmError> {
+    Format::of(path)
+        .filter(|format| *format != Format::Jpeg)
+        .ok_or_else(|| FilmError::UnknownFormat { path: path.to_owned() })
 }
 
 /// Checks that [`write()`] knows the file's ending, before hours are spent on a picture.
 pub fn check_format(path: &Path) -> Result<(), FilmError> {
-    format(path).map(|_| ())
+    written_format(path).map(|_| ())
 }
 
-/// Writes a picture as [`encode`] makes it, whole or not at all.
+/// Writes a picture as [`encode()`] makes it, whole or not at all.
+///
+/// # Errors
+/// Those of [`encode()`], and the file cannot be written.
 pub fn write(film: &Film, path: &Path, exposure: f32) -> Result<(), FilmError> {
     Ok(outputs::write(path, &encode(film, path, exposure)?)?)
 }
 
-/// The bytes of a picture in the format of its file's ending. PNG is sRGB-encoded in 8 bits without
-/// alpha, after every colour is multiplied by `exposure` (a factor; 1 changes nothing). EXR (f32,
-/// with alpha) and HDR (shared exponent, without alpha) keep the scene-linear values as they are.
-/// The same picture gives the same bytes.
+/// The bytes of a picture in the format of its file's ending. PNG is sRGB-encoded in 8 bits, after every
+/// colour is multiplied by `exposure` (a factor; 1 changes nothing), and has straight alpha where the
+/// film is not opaque. EXR (f32, with associated alpha) and HDR (shared exponent, without alpha: what is
+/// seen over black) keep the scene-linear values. The same picture gives the same bytes.
+///
+/// # Errors
+/// The ending names no format, or there is not enough memory.
 pub fn encode(film: &Film, path: &Path, exposure: f32) -> Result<Vec<u8>, FilmError> {
-    let malformed = |message: String| FilmError::Malformed { path: path.to_owned(), message };
-    match format(path)? {
-        Format::Png => png(film, exposure).map_err(|error| malformed(error.to_string())),
-        Format::Exr => exr(film).map_err(|error| malformed(error.to_string())),
-        Format::Hdr => hdr(film).map_err(|error| malformed(error.to_string())),
+    let format = written_format(path)?;
+    let mut bytes = Bytes::default();
+    let written = match format {
+        Format::Png => raster::write_png(film, exposure, &mut bytes),
+        Format::Exr => open_exr::write(film, &mut bytes),
+        Format::Hdr => radiance::write(film, &mut bytes).map_err(Fault::System),
+        Format::Jpeg => return Err(FilmError::UnknownFormat { path: path.to_owned() }),
+    };
+    let (width, height) = (film.width(), film.height());
+    match written {
+        Ok(()) => Ok(bytes.into_inner()),
+        // Memory is all that can be wrong with it.
+        Err(Fault::System(_)) => Err(Fault::Size(SizeError::Memory { width, height }).of(path)),
+        Err(fault) => Err(fault.of(path)),
     }
 }
 
-fn png(film: &Film, exposure: f32) -> image::ImageResult<Vec<u8>> {
-    use image::ImageEncoder;
-    let rgb = |pixel: &[f32; 4]| [pixel[0], pixel[1], pixel[2]].map(|x| srgb_byte(x * exposure));
-    let samples: Vec<u8> = film.pixels().iter().flat_map(rgb).collect();
-    let mut bytes = Vec::new();
-    image::codecs::png::PngEncoder::new(&mut bytes).write_image(
-        &samples,
-        film.width(),
-        film.height(),
-        image::ExtendedColorType::Rgb8,
-    )?;
-    Ok(bytes)
-}
-
-fn hdr(film: &Film) -> image::ImageResult<Vec<u8>> {
-    let pixels: Vec<_> = film.pixels().iter().map(|&[r, g, b, _]| image::Rgb([r, g, b])).collect();
-    let mut bytes = Vec::new();
-    image::codecs::hdr::HdrEncoder::new(&mut bytes).encode(
-        &pixels,
-        film.width() as usize,
-        film.height() as usize,
-    )?;
-    Ok(bytes)
-}
-
-fn exr(film: &Film) -> exr::error::Result<Vec<u8>> {
-    let pixel = |at: Vec2<usize>| {
-        let [r, g, b, a] = film.pixel(at.x() as u32, at.y() as u32);
-        (r, g, b, a)
-    };
-    let encoding = Encoding {
-        compression: Compression::ZIP16,
-        blocks: Blocks::ScanLines,
-        line_order: LineOrder::Increasing,
-    };
-    let layer = Layer::new(
-        (film.width() as usize, film.height() as usize),
-        LayerAttributes::default(),
-        encoding,
-        SpecificChannels::rgba(pixel),
-    );
-    let mut bytes = Vec::new();
-    Image::from_layer(layer).write().non_parallel().to_buffered(Cursor::new(&mut bytes))?;
-    Ok(bytes)
-}
-
-/// Most bytes of a picture that is read.
-const FILE_BYTES_LIMIT: u64 = 4 << 30;
-
-/// Reads a picture as scene-linear colours; 8-bit pictures are decoded from sRGB.
+/// Reads a picture as scene-linear colours with associated alpha. PNG and JPEG are decoded from sRGB,
+/// whatever profile they carry.
+///
+/// # Errors
+/// The file cannot be read, is no usable picture, or is past the limits.
 pub fn read(path: &Path) -> Result<Film, FilmError> {
     read_as(path, None)
 }
 
-/// The same with what its numbers mean, where the caller knows. Besides what is written, JPEG is read.
+/// The same with what its numbers mean, where the caller knows.
+///
+/// # Errors
+/// The file cannot be read, is no usable picture, or is past the limits.
 pub fn read_as(path: &Path, space: Option<Space>) -> Result<Film, FilmError> {
-    let format = picture_format(path)?;
-    let unreadable = |source| FilmError::Unreadable { path: path.to_owned(), source };
-    let (file, size) = open_file(path).map_err(unreadable)?;
-    // No picture within the limits of size is as large.
-    if size > FILE_BYTES_LIMIT {
-        let error = std::io::ErrorKind::FileTooLarge;
-        return Err(unreadable(error.into()));
-    }
-    let mut bytes = Vec::new();
-    file.take(FILE_BYTES_LIMIT).read_to_end(&mut bytes).map_err(unreadable)?;
-    let malformed = |error: image::ImageError| FilmError::Malformed {
-        path: path.to_owned(),
-        message: error.to_string(),
+    let (format, file) = open(path)?;
+    decode(format, space, BufReader::new(file)).map_err(|fault| fault.of(path))
+}
+
+/// Every header is looked at before any memory is taken for pixels.
+fn decode(
+    format: Format,
+    space: Option<Space>,
+    mut file: impl BufRead + Seek,
+) -> Result<Film, Fault> {
+    let mut film = match format {
+        Format::Png | Format::Jpeg => {
+            let header = read_from(format, &mut file)?;
+            file.rewind()?;
+            return raster::read(&header, space != Some(Space::Linear), file);
+        }
+        Format::Exr => {
+            let header = parsed(format, &mut file, |read| open_exr::read_header(read))?;
+            file.rewind()?;
+            open_exr::read(&header, file)?
+        }
+        Format::Hdr => {
+            let header = parsed(format, &mut file, |read| radiance::read_header(read))?;
+            radiance::read(&header, &mut file)?
+        }
     };
-    let mut reader = image::ImageReader::with_format(Cursor::new(&bytes), format);
-    let mut limits = image::Limits::default();
-    limits.max_alloc = Some(4 << 30);
-    reader.limits(limits);
-    let picture = reader.decode().map_err(malformed)?.into_rgba32f();
-    let mut film = Film::new(picture.width(), picture.height())
-        .map_err(|source| FilmError::Size { path: path.to_owned(), source })?;
-    let encoded = match space {
-        Some(space) => space == Space::Srgb,
-        None => matches!(format, image::ImageFormat::Png | image::ImageFormat::Jpeg),
-    };
-    for (column, row, &image::Rgba([r, g, b, a])) in picture.enumerate_pixels() {
-        let [r, g, b] = if encoded { [r, g, b].map(srgb_decoded) } else { [r, g, b] };
-        film.set(column, row, [r, g, b, a]);
+    if space == Some(Space::Srgb) {
+        for pixel in film.pixels_mut() {
+            *pixel = mapped(*pixel, srgb_decoded);
+        }
     }
     Ok(film)
 }
 
 #[cfg(test)]
 mod tests {
+    use std::path::PathBuf;
+
     use super::*;
 
     fn film() -> Film {
@@ -226,8 +141,10 @@ mod tests {
         write(&film(), &path, 2.0).unwrap();
         let back = read(&path).unwrap();
         assert!((back.pixel(0, 0)[0] - 0.5).abs() < 4e-3);
-        assert_eq!(back.pixel(1, 0)[0], 1.0);
-        assert_eq!(back.pixel(2, 1), [1.0, 0.0, 0.0, 1.0]);
+        // Its straight colour is above white; half of it is covered, in 8 bits.
+        assert_eq!(back.pixel(1, 0), [128.0 / 255.0, back.pixel(1, 0)[1], 0.0, 128.0 / 255.0]);
+        // What covers nothing is nothing in a format of straight colours.
+        assert_eq!(back.pixel(2, 1), [0.0; 4]);
     }
 
     #[test]
@@ -248,6 +165,8 @@ mod tests {
             Err(FilmError::UnknownFormat { .. })
         ));
         assert!(matches!(read(Path::new("/nowhere/a.exr")), Err(FilmError::Unreadable { .. })));
+        let no_picture = read(Path::new("a.bmp")).unwrap_err().to_string();
+        assert!(no_picture.contains(".jpg"), "{no_picture}");
         let broken = in_folder("broken.exr");
         std::fs::write(&broken, b"not a picture").unwrap();
         assert!(matches!(read(&broken), Err(FilmError::Malformed { .. })));

@@ -1,11 +1,22 @@
 //! Pictures: made, written, read and compared.
 
+mod alpha;
 mod buffer;
+mod bytes;
 mod compare;
 mod encoding;
+mod fault;
 mod file;
+mod header;
+mod open_exr;
+mod radiance;
+mod raster;
 
 pub use buffer::{Film, PIXEL_LIMIT, SIDE_LIMIT, SizeError};
 pub use compare::{Comparison, Difference, SizesDiffer, compare};
 pub use encoding::{srgb_decoded, srgb_encoded};
-pub use file::{FilmError, check_format, encode, read, read_as, write};
+pub use fault::FilmError;
+pub use file::{check_format, encode, read, read_as, write};
+pub use header::{
+    Channels, FILE_BYTES_LIMIT, Format, HEADER_BYTES_LIMIT, PictureHeader, read_header,
+};

@@ -1,0 +1,13 @@
+//! OpenEXR pictures.
+//!
+//! The header is read here, so that nothing is taken on trust when the pixels are decoded: what is past
+//! the limits, or of a kind that is not read, is refused with its reason.
+
+mod channels;
+mod header;
+mod read;
+mod write;
+
+pub(super) use header::read_header;
+pub(super) use read::read;
+pub(super) use write::write;
