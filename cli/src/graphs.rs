@@ -4,13 +4,14 @@ use std::path::Path;
 use std::sync::Arc;
 
 use clap::Args;
-use phenomenon_compiler::check::{Checked, read_graph_file};
+use phenomenon_compiler::check::{Checked, check_graph};
 use phenomenon_compiler::engine::{Engine, Options, Shader};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::{Literal, NodeLibrary};
 
 use crate::arguments::{self, Assignment, EngineChoice, Precision, SimdChoice};
 use crate::failure::Failure;
+use crate::inputs;
 use crate::report;
 
 /// The flags that say how a graph is run.
@@ -41,12 +42,16 @@ impl EngineArguments {
     }
 }
 
-/// Reads and checks a graph; what was found goes to standard error.
+/// Reads and checks a graph, from standard input for `-`; what was found goes to standard error.
 ///
 /// # Errors
 /// The file cannot be read, or has errors.
 pub fn read(path: &Path, library: &NodeLibrary) -> Result<Graph, Failure> {
-    checked(path, read_graph_file(path, library))
+    let checked = match inputs::read(path) {
+        Ok(document) => check_graph(&document, library),
+        Err(finding) => Checked { findings: vec![*finding], ..Checked::default() },
+    };
+    self::checked(path, checked)
 }
 
 /// The graph that was checked; what was found goes to standard error.

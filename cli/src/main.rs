@@ -2,19 +2,22 @@
 
 mod arguments;
 mod commands;
+mod difference;
 mod failure;
 mod graphs;
+mod inputs;
 mod numbers;
+mod outputs;
 mod report;
 mod scenes;
 mod terminal;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{
-    bench, check, compare, eval, explain, fmt, lsp, nodes, render, schema, show,
+    bench, check, compare, completions, eval, explain, fmt, lsp, man, nodes, render, schema, show,
 };
 use crate::failure::{Failure, Outcome};
 
@@ -29,7 +32,7 @@ struct CommandLine {
 const EXIT_CODES: &str = "\
 Exit codes:
   0  fine
-  1  check found something; compare found a difference above the tolerance
+  1  check found something; compare found a difference above the tolerance; fmt would change a file
   2  wrong usage, a file that cannot be read or written, a graph or scene that cannot be used";
 
 #[derive(Debug, Subcommand)]
@@ -37,20 +40,31 @@ enum Command {
     Bench(bench::Arguments),
     Check(check::Arguments),
     Compare(compare::Arguments),
+    Completions(completions::Arguments),
     Eval(eval::Arguments),
     Explain(explain::Arguments),
     Fmt(fmt::Arguments),
     Lsp(lsp::Arguments),
+    Man(man::Arguments),
     Nodes(nodes::Arguments),
     Render(render::Arguments),
     Schema(schema::Arguments),
     Show(show::Arguments),
 }
 
+/// Commands and flags, for what is derived from them: completions, manual pages and hints.
+fn grammar() -> clap::Command {
+    CommandLine::command()
+}
+
 fn main() -> ExitCode {
+    outlive_the_file_size_limit();
     let command_line = match CommandLine::try_parse() {
         Ok(command_line) => command_line,
         Err(error) => {
+            let given: Vec<String> =
+                std::env::args_os().skip(1).map(|it| it.to_string_lossy().into_owned()).collect();
+            let error = arguments::explained(error, &grammar(), &given);
             // A closed pipe is no reason to complain; help goes to standard output with code 0.
             let _ = error.print();
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
@@ -68,15 +82,28 @@ fn main() -> ExitCode {
     }
 }
 
+/// A file that grows past `ulimit -f` would end the program by a signal. Where that is caught, writing
+/// fails like on a full disk, and can be told of.
+fn outlive_the_file_size_limit() {
+    #[cfg(unix)]
+    {
+        let caught = std::sync::Arc::default();
+        // Without it the file that is written is still whole or not there: only the message is lost.
+        let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, caught);
+    }
+}
+
 fn run(command: Command) -> Result<Outcome, Failure> {
     match command {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Completions(arguments) => completions::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Fmt(arguments) => fmt::run(&arguments),
         Command::Lsp(arguments) => lsp::run(&arguments),
+        Command::Man(arguments) => man::run(&arguments),
         Command::Nodes(arguments) => nodes::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),

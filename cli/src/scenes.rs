@@ -22,6 +22,7 @@ use phenomenon_runtime::scene::{
 use crate::arguments::{Assignment, EngineChoice, NodePath};
 use crate::failure::Failure;
 use crate::graphs::{self, EngineArguments};
+use crate::inputs;
 use crate::report;
 use crate::terminal;
 
@@ -79,7 +80,7 @@ pub fn load(
     change: &Change<'_>,
 ) -> Result<Picture, Failure> {
     let start = Instant::now();
-    let document = read_file(path).map_err(|finding| {
+    let document = inputs::read(path).map_err(|finding| {
         report::tell(&[*finding], 0);
         graphs::unusable(path)
     })?;
@@ -90,7 +91,7 @@ pub fn load(
                 "in the scene, write `set` beside the file of the material",
             ));
         }
-        let folder = path.parent().unwrap_or(Path::new(""));
+        let folder = inputs::folder(path);
         let (scene, lights) = described(path, check_scene(&document, folder))?;
         (scene, lights, None)
     } else {

@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueHint};
 use phenomenon_runtime::film;
 
 use crate::arguments;
 use crate::failure::{Failure, Outcome};
+use crate::outputs::{self, Output};
 use crate::terminal;
 
 /// Measure how far two pictures are apart.
@@ -14,9 +15,11 @@ use crate::terminal;
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
     /// A picture: png, exr or hdr
+    #[arg(value_hint = ValueHint::FilePath)]
     a: PathBuf,
 
     /// Another, of the same size
+    #[arg(value_hint = ValueHint::FilePath)]
     b: PathBuf,
 
     /// Largest root mean square allowed, of sRGB-encoded values; 0 allows only the same bits
@@ -25,7 +28,8 @@ pub struct Arguments {
     tolerance: Option<f64>,
 
     /// Write a picture of the differences
-    #[arg(short, value_name = "DIFF.png", value_parser = arguments::picture)]
+    #[arg(short, value_name = "DIFF.png", value_parser = arguments::picture,
+          value_hint = ValueHint::FilePath)]
     output: Option<PathBuf>,
 }
 
@@ -47,18 +51,19 @@ Exit codes:
 /// # Errors
 /// A picture that cannot be read or written, or two of different sizes.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    if let Some(path) = &arguments.output {
-        arguments::require_writable("-o", path)?;
-    }
+    let output = arguments.output.as_deref().map(|path| Output { flag: "-o", path });
+    output.map_or(Ok(()), Output::require_writable)?;
     let read = |path| {
         film::read(path).map_err(|error| Failure::new(error, "give a .png, .exr or .hdr picture"))
     };
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
+    outputs::require_apart(output.as_slice())?;
     let comparison = film::compare(&a, &b)
         .map_err(|error| Failure::new(error, "compare pictures of one size"))?;
-    if let Some(path) = &arguments.output {
-        film::write(&comparison.picture, path, 1.0)
+    if let Some(output) = output {
+        let picture = film::encode(&comparison.picture, output.path, 1.0)
             .map_err(|error| Failure::new(error, "name another file with -o"))?;
+        output.write(picture)?;
     }
     let line = |name, difference: film::Difference| {
         format!("{name}  rms {:e}  maximum {:e}\n", difference.rms, difference.maximum)

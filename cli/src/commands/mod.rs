@@ -3,10 +3,12 @@
 pub mod bench;
 pub mod check;
 pub mod compare;
+pub mod completions;
 pub mod eval;
 pub mod explain;
 pub mod fmt;
 pub mod lsp;
+pub mod man;
 pub mod nodes;
 pub mod render;
 pub mod schema;

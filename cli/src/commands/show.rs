@@ -1,25 +1,26 @@
 //! `phenomenon show`.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueHint};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::show::{ShowError, draw_dot, draw_svg};
 
-use crate::arguments::require_writable;
 use crate::failure::{Failure, Outcome};
 use crate::graphs;
+use crate::outputs::{self, Output};
 
 /// Draw a graph.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// A graph file
+    /// A graph file, or `-` for standard input
+    #[arg(value_hint = ValueHint::FilePath)]
     graph: PathBuf,
 
     /// Where to write: SVG to look at, or DOT for Graphviz
-    #[arg(short, value_name = "FILE.svg|dot", value_parser = drawing)]
+    #[arg(short, value_name = "FILE.svg|dot", value_parser = drawing,
+          value_hint = ValueHint::FilePath)]
     output: Drawing,
 }
 
@@ -64,18 +65,17 @@ fn drawing(text: &str) -> Result<Drawing, String> {
 /// # Errors
 /// A graph that cannot be used or is too large for an SVG, or a file that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let path = arguments.output.path();
-    require_writable("-o", path)?;
+    let output = Output { flag: "-o", path: arguments.output.path() };
+    output.require_writable()?;
     let library = NodeLibrary::standard();
     let graph = graphs::read(&arguments.graph, &library)?;
+    outputs::require_apart(&[output])?;
     let text = match arguments.output {
         Drawing::Svg(_) => draw_svg(&graph, &library),
         Drawing::Dot(_) => draw_dot(&graph, &library),
     };
     let text = text.map_err(|error| refusal(&arguments.graph, &error))?;
-    fs::write(path, text).map_err(|error| {
-        Failure::new(format!("-o {}: {error}", path.display()), "name a file that may be written")
-    })?;
+    output.write(text)?;
     Ok(Outcome::Fine)
 }
 

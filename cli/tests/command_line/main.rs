@@ -2,8 +2,11 @@
 
 mod check;
 mod compare;
+mod completions;
 mod eval;
+mod input;
 mod nodes;
+mod outputs;
 mod program;
 mod readme;
 mod render;

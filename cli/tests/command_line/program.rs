@@ -1,7 +1,8 @@
 //! Running the program.
 
+use std::io::Write;
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::{Command, Output, Stdio};
 
 /// What a run left behind.
 #[derive(Debug)]
@@ -21,15 +22,37 @@ pub fn program(arguments: &[&str]) -> Command {
 
 /// Runs it to its end.
 pub fn run(arguments: &[&str]) -> Run {
-    let output = program(arguments).output().expect("the program starts");
-    let text = |bytes| String::from_utf8(bytes).expect("the program writes UTF-8");
-    Run { code: output.status.code(), output: text(output.stdout), complaint: text(output.stderr) }
+    ended(&program(arguments).output().expect("the program starts"))
+}
+
+/// Runs it in `folder`, with `text` on standard input.
+pub fn run_in(folder: &str, arguments: &[&str], text: &str) -> Run {
+    let mut command = program(arguments);
+    command.current_dir(folder).stdin(Stdio::piped());
+    command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("the program starts");
+    // A program that refuses its arguments does not read.
+    let _ = child.stdin.take().expect("a pipe").write_all(text.as_bytes());
+    ended(&child.wait_with_output().expect("the program ends"))
+}
+
+fn ended(output: &Output) -> Run {
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).expect("the program writes UTF-8");
+    Run {
+        code: output.status.code(),
+        output: text(&output.stdout),
+        complaint: text(&output.stderr),
+    }
 }
 
 /// Runs it and expects exit code 2, nothing on standard output, no panic, and a complaint that
 /// holds each of `parts`.
 pub fn refused(arguments: &[&str], parts: &[&str]) {
-    let run = run(arguments);
+    was_refused(&run(arguments), arguments, parts);
+}
+
+/// The same of a run that has ended.
+pub fn was_refused(run: &Run, arguments: &[&str], parts: &[&str]) {
     assert_eq!(run.code, Some(2), "{arguments:?}: {run:?}");
     assert_eq!(run.output, "", "{arguments:?}");
     assert!(!run.complaint.contains("panicked"), "{arguments:?}: {}", run.complaint);

@@ -1,10 +1,10 @@
 //! `phenomenon bench render`.
 
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use clap::{Args, ValueEnum};
+use clap::{Args, ValueEnum, ValueHint};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::render::{Settings, Statistics, render};
 use serde_json::json;
@@ -12,6 +12,7 @@ use serde_json::json;
 use crate::arguments::{self, EngineChoice, Precision, SimdChoice, Size};
 use crate::failure::{Failure, Outcome};
 use crate::graphs::EngineArguments;
+use crate::outputs::{self, Output};
 use crate::scenes::{self, Change, Picture};
 use crate::terminal;
 
@@ -20,6 +21,7 @@ use crate::terminal;
 #[command(after_help = NOTES)]
 pub struct Arguments {
     /// A graph or scene file
+    #[arg(value_hint = ValueHint::FilePath)]
     file: PathBuf,
 
     /// Width and height in pixels; otherwise as the scene says
@@ -40,7 +42,7 @@ pub struct Arguments {
     runs: u8,
 
     /// Write the rows to render.json in this folder
-    #[arg(short, value_name = "DIR")]
+    #[arg(short, value_name = "DIR", value_hint = ValueHint::DirPath)]
     output: Option<PathBuf>,
 }
 
@@ -64,6 +66,12 @@ struct Contender {
 /// # Errors
 /// A file that cannot be used or rendered, or a folder that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let output = arguments.output.as_ref().map(|folder| folder.join("render.json"));
+    let output = output.as_deref().map(|path| Output { flag: "-o", path });
+    if let Some(output) = output {
+        make_folder(output.path.parent().unwrap_or(Path::new("")))?;
+        output.require_writable()?;
+    }
     let library = Arc::new(NodeLibrary::standard());
     let mut contenders = Vec::new();
     for engine in ENGINES {
@@ -83,6 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Err(failure) => return Err(failure),
         }
     }
+    outputs::require_apart(output.as_slice())?;
     let bar = terminal::progress("renderings", false);
     bar.set_length(u64::from(arguments.runs) * contenders.len() as u64);
     for _ in 0..arguments.runs {
@@ -96,8 +105,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     bar.finish_and_clear();
     terminal::print(&table(arguments, &contenders))?;
-    if let Some(folder) = &arguments.output {
-        write(folder, arguments, &contenders)?;
+    if let Some(output) = output {
+        output.write(rows(arguments, &contenders))?;
     }
     Ok(Outcome::Fine)
 }
@@ -179,7 +188,15 @@ fn table(arguments: &Arguments, contenders: &[Contender]) -> String {
     text
 }
 
-fn write(folder: &PathBuf, arguments: &Arguments, contenders: &[Contender]) -> Result<(), Failure> {
+/// Makes a folder for results, unless there is one.
+fn make_folder(folder: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|error| {
+        Failure::new(format!("-o {}: {error}", folder.display()), "name another folder")
+    })
+}
+
+/// `{"version":1,"rows":[…]}`
+fn rows(arguments: &Arguments, contenders: &[Contender]) -> String {
     let material = arguments.file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
     let rows: Vec<_> = contenders
         .iter()
@@ -194,11 +211,7 @@ fn write(folder: &PathBuf, arguments: &Arguments, contenders: &[Contender]) -> R
             })
         })
         .collect();
-    let path = folder.join("render.json");
-    let text = format!("{:#}\n", json!({ "version": 1, "rows": rows }));
-    std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text)).map_err(|error| {
-        Failure::new(format!("-o {}: {error}", path.display()), "name another folder")
-    })
+    format!("{:#}\n", json!({ "version": 1, "rows": rows }))
 }
 
 #[cfg(test)]

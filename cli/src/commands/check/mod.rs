@@ -5,16 +5,18 @@ mod scene;
 pub use scene::check as check_scene;
 
 use std::collections::{BTreeMap, HashSet};
-use std::io::{IsTerminal, Read};
-use std::path::{Path, PathBuf};
+use std::io::IsTerminal;
+use std::path::PathBuf;
 
 use phenomenon_compiler::check::{Checked, OnDisk, check_graph};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
-use phenomenon_compiler::document::{self, Document, MAX_FILE_BYTES, ValueKind};
+use phenomenon_compiler::document;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::scene::is_scene;
 
 use crate::failure::{Failure, Outcome};
+use crate::inputs::{self, Input};
+use crate::outputs;
 use crate::report::{Format, Report};
 use crate::terminal;
 
@@ -68,11 +70,13 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut findings = Vec::new();
     let mut omitted = 0;
     let mut told = HashSet::new();
-    for input in inputs(&arguments.paths)? {
+    let found = inputs::find(&arguments.paths);
+    found.failures.iter().for_each(terminal::complain);
+    for input in found.inputs {
         let mut checked = check_input(&input, &library)?;
         // A mended type shows what is wrong with its inputs, so it takes a few rounds.
         for _ in 0..MOST_ROUNDS {
-            if !arguments.fix || !input.mend(&checked.findings)? {
+            if !arguments.fix || !mend(&input, &checked.findings)? {
                 break;
             }
             checked = check_input(&input, &library)?;
@@ -107,7 +111,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let wrong = findings.iter().any(|finding| finding.severity == Severity::Error);
     let color = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     terminal::print(&Report::new(findings, omitted).text(arguments.format, color))?;
-    Ok(match (unreadable, wrong) {
+    Ok(match (unreadable || !found.failures.is_empty(), wrong) {
         (true, _) => Outcome::Unreadable,
         (_, true) => Outcome::Found,
         _ => Outcome::Fine,
@@ -117,114 +121,38 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 /// Most times a file is mended and checked again.
 const MOST_ROUNDS: usize = 8;
 
-/// A file to check.
-#[derive(Debug)]
-struct Input {
-    path: PathBuf,
-    /// Met in a folder, so that a JSON file of another kind is passed over.
-    in_folder: bool,
-}
-
-impl Input {
-    fn is_standard_input(&self) -> bool {
-        self.path.as_os_str() == "-"
+/// Writes the file anew with the sure suggestions put in; whether there were any.
+fn mend(input: &Input, findings: &[Finding]) -> Result<bool, Failure> {
+    if inputs::is_stream(&input.path) {
+        return Err(Failure::new(
+            "--fix cannot change standard input",
+            "give the path of a file instead of `-`",
+        ));
     }
-
-    /// Writes the file anew with the sure suggestions put in; whether there were any.
-    fn mend(&self, findings: &[Finding]) -> Result<bool, Failure> {
-        if self.is_standard_input() {
-            return Err(Failure::new(
-                "--fix cannot change standard input",
-                "give the path of a file instead of `-`",
-            ));
-        }
-        let name = self.path.display().to_string();
-        // By place, so that no two overlap; from the end, so that places stay right.
-        let fixes: BTreeMap<usize, (&Finding, &String)> = findings
-            .iter()
-            .filter(|finding| finding.place.file.name == name)
-            .filter_map(|finding| Some((finding.place.start, (finding, finding.fix.as_ref()?))))
-            .collect();
-        let Some((_, (first, _))) = fixes.first_key_value() else { return Ok(false) };
-        let mut text = first.place.file.text.clone();
-        for (finding, fix) in fixes.values().rev() {
-            text.replace_range(finding.place.start..finding.place.end, fix);
-        }
-        std::fs::write(&self.path, text).map_err(|error| {
-            Failure::new(format!("cannot write `{name}`: {error}"), "check its permissions")
-        })?;
-        Ok(true)
+    let name = input.path.display().to_string();
+    // By place, so that no two overlap; from the end, so that places stay right.
+    let fixes: BTreeMap<usize, (&Finding, &String)> = findings
+        .iter()
+        .filter(|finding| finding.place.file.name == name)
+        .filter_map(|finding| Some((finding.place.start, (finding, finding.fix.as_ref()?))))
+        .collect();
+    let Some((_, (first, _))) = fixes.first_key_value() else { return Ok(false) };
+    let mut text = first.place.file.text.clone();
+    for (finding, fix) in fixes.values().rev() {
+        text.replace_range(finding.place.start..finding.place.end, fix);
     }
+    outputs::rewrite(&input.path, &text)?;
+    Ok(true)
 }
 
 fn check_input(input: &Input, library: &NodeLibrary) -> Result<Checked, Failure> {
-    let document = if input.is_standard_input() {
-        let mut bytes = Vec::new();
-        let limit = MAX_FILE_BYTES as u64 + 1;
-        std::io::stdin().lock().take(limit).read_to_end(&mut bytes).map_err(|error| {
-            Failure::new(format!("cannot read standard input: {error}"), "give a file instead")
-        })?;
-        document::read("-", &bytes)
-    } else {
-        document::read_file(&input.path)
-    };
+    let document = inputs::read(&input.path);
     Ok(match document {
-        Ok(document) if input.in_folder && !is_ours(&document) => Checked::default(),
+        Ok(document) if input.in_folder && !inputs::is_ours(&document) => Checked::default(),
         Ok(document) if is_scene(&document) => {
-            let folder = input.path.parent().filter(|_| !input.is_standard_input());
-            scene::check(&document, folder.unwrap_or(Path::new("")), library, &OnDisk)
+            scene::check(&document, inputs::folder(&input.path), library, &OnDisk)
         }
         Ok(document) => check_graph(&document, library),
         Err(finding) => Checked { findings: vec![*finding], ..Checked::default() },
     })
-}
-
-/// Whether a file met in a folder is a graph or a scene.
-fn is_ours(document: &Document) -> bool {
-    matches!(document.root.kind, ValueKind::Object(_))
-        && ["phenomenon", "scene", "roots"].iter().any(|key| document.root.get(key).is_some())
-}
-
-/// The files of `paths`, those of folders sorted by name. Folders reached through links are left
-/// out: a link may lead back to where it stands.
-fn inputs(paths: &[PathBuf]) -> Result<Vec<Input>, Failure> {
-    let mut inputs = Vec::new();
-    for path in paths {
-        if path.is_dir() {
-            let mut found = Vec::new();
-            let mut pending = vec![path.clone()];
-            while let Some(folder) = pending.pop() {
-                let mut files = entries(&folder)?;
-                files.retain(|(path, is_folder)| {
-                    if *is_folder {
-                        pending.push(path.clone());
-                    }
-                    !is_folder && path.extension().is_some_and(|extension| extension == "json")
-                });
-                found.extend(files.into_iter().map(|(path, _)| path));
-            }
-            found.sort();
-            inputs.extend(found.into_iter().map(|path| Input { path, in_folder: true }));
-        } else {
-            inputs.push(Input { path: path.clone(), in_folder: false });
-        }
-    }
-    Ok(inputs)
-}
-
-fn entries(folder: &Path) -> Result<Vec<(PathBuf, bool)>, Failure> {
-    let unreadable = |error: std::io::Error| {
-        let name = folder.display();
-        Failure::new(format!("cannot read the folder `{name}`: {error}"), "check its permissions")
-    };
-    let mut entries = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
-        let entry = entry.map_err(unreadable)?;
-        let hidden = entry.file_name().to_string_lossy().starts_with('.');
-        if !hidden {
-            let is_folder = entry.file_type().map_err(unreadable)?.is_dir();
-            entries.push((entry.path(), is_folder));
-        }
-    }
-    Ok(entries)
 }

@@ -7,8 +7,8 @@ mod values;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueHint};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded};
 use phenomenon_compiler::graph::{Binding, Graph, RootKind};
 use phenomenon_compiler::nodes::{Literal, NodeLibrary};
@@ -25,7 +25,8 @@ use crate::terminal;
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// A graph file
+    /// A graph file, or `-` for standard input
+    #[arg(value_hint = ValueHint::FilePath)]
     graph: PathBuf,
 
     /// Give a parameter another value than its default; may be repeated

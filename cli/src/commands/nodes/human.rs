@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use phenomenon_compiler::nodes::{Default, Input, Kind, Signature, Type};
 
+use super::search::{Hit, Place};
 use super::{Group, first_sentence};
 
 /// Columns of running text.
@@ -20,6 +21,22 @@ pub fn groups(groups: &[Group<'_>]) -> String {
         for node in &group.nodes {
             let _ = writeln!(text, "  {:column$}  {}", node.name, first_sentence(&node.doc));
         }
+    }
+    text
+}
+
+/// The nodes that were found, a line each, with the input or output that has the word.
+pub fn found(hits: &[Hit<'_>]) -> String {
+    let column = hits.iter().map(|hit| hit.node.name.len()).max().unwrap_or(0);
+    let mut text = String::new();
+    for Hit { node, place } in hits {
+        let place = match place {
+            Place::Input(name) => format!(" (input `{name}`)"),
+            Place::Output(name) => format!(" (output `{name}`)"),
+            Place::Name | Place::PartOfName | Place::Doc => String::new(),
+        };
+        let doc = first_sentence(&node.doc);
+        let _ = writeln!(text, "{:column$}  {doc}{place}", node.name);
     }
     text
 }

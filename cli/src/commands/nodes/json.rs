@@ -4,6 +4,7 @@ use phenomenon_compiler::nodes::{Default, Input, Kind, Literal, Output, Signatur
 use serde_json::{Map, Value, json};
 
 use super::Group;
+use super::search::Hit;
 use crate::numbers::number;
 
 /// `{"version":1,"groups":[{"name","doc","nodes":[…]}]}`
@@ -16,6 +17,12 @@ pub fn groups(groups: &[Group<'_>]) -> String {
         })
         .collect();
     format!("{:#}\n", json!({ "version": 1, "groups": groups }))
+}
+
+/// `{"version":1,"nodes":[…]}`, the best first.
+pub fn found(hits: &[Hit<'_>]) -> String {
+    let nodes: Vec<Value> = hits.iter().map(|hit| described(hit.node)).collect();
+    format!("{:#}\n", json!({ "version": 1, "nodes": nodes }))
 }
 
 /// `{"version":1,"node":{…}}`

@@ -2,6 +2,7 @@
 
 mod human;
 mod json;
+mod search;
 
 use clap::Args;
 use phenomenon_compiler::document::nearest;
@@ -18,6 +19,11 @@ pub struct Arguments {
     /// A node or a group; without it all are listed
     name: Option<String>,
 
+    /// List the nodes that have these words in their name, inputs, outputs or docs, or that other
+    /// programs call so
+    #[arg(long, value_name = "WORD", conflicts_with = "name", num_args = 1..)]
+    search: Vec<String>,
+
     /// How to print
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -28,6 +34,8 @@ Examples:
   phenomenon nodes
   phenomenon nodes mix
   phenomenon nodes rays
+  phenomenon nodes --search lerp
+  phenomenon nodes --search reflection colour
   phenomenon nodes mix --format json";
 
 /// What a name asks for.
@@ -49,6 +57,14 @@ struct Group<'l> {
 /// An unknown name, or standard output that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let library = NodeLibrary::standard();
+    if !arguments.search.is_empty() {
+        let found = search::find(&library, &arguments.search)?;
+        terminal::print(&match arguments.format {
+            Format::Human => human::found(&found),
+            Format::Json => json::found(&found),
+        })?;
+        return Ok(Outcome::Fine);
+    }
     let subject = subject(&library, arguments.name.as_deref())?;
     let text = match (&subject, arguments.format) {
         (Subject::Node(node), Format::Human) => human::node(node),

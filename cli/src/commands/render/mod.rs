@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
-use clap::Args;
+use clap::{Args, ValueHint};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::film;
 use phenomenon_runtime::render::{Rendered, Settings};
@@ -16,6 +16,8 @@ use self::cost::Cost;
 use crate::arguments::{self, Assignment, NodePath, Size};
 use crate::failure::{Failure, Outcome};
 use crate::graphs::EngineArguments;
+use crate::inputs;
+use crate::outputs::{self, Output};
 use crate::scenes::{self, Change, Picture};
 use crate::terminal;
 
@@ -23,7 +25,8 @@ use crate::terminal;
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// A graph or scene file
+    /// A graph or scene file, or `-` for standard input
+    #[arg(value_hint = ValueHint::FilePath)]
     file: PathBuf,
 
     #[command(flatten)]
@@ -54,7 +57,8 @@ pub struct Arguments {
     node: Option<NodePath>,
 
     /// Where the picture goes; otherwise NAME.png here, for a file called NAME.json
-    #[arg(short, value_name = "FILE.png|exr|hdr", value_parser = arguments::picture)]
+    #[arg(short, value_name = "FILE.png|exr|hdr", value_parser = arguments::picture,
+          value_hint = ValueHint::FilePath)]
     output: Option<PathBuf>,
 
     /// Multiply the colours of a PNG by this
@@ -63,7 +67,7 @@ pub struct Arguments {
     exposure: f32,
 
     /// Write counts of rays and points, and times, as JSON
-    #[arg(long, value_name = "FILE.json")]
+    #[arg(long, value_name = "FILE.json", value_hint = ValueHint::FilePath)]
     stats: Option<PathBuf>,
 
     /// Say nothing but what is wrong
@@ -91,13 +95,14 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Some(path) => path.clone(),
         None => default_output(arguments)?,
     };
-    arguments::require_writable("-o", &output)?;
-    if let Some(path) = &arguments.stats {
-        arguments::require_writable("--stats", path)?;
-    }
+    let picture_file = Output { flag: "-o", path: &output };
+    let stats = arguments.stats.as_deref().map(|path| Output { flag: "--stats", path });
+    let outputs: Vec<Output<'_>> = std::iter::once(picture_file).chain(stats).collect();
+    outputs.iter().try_for_each(|output| output.require_writable())?;
     let library = Arc::new(NodeLibrary::standard());
     let change = Change { set: &arguments.set, node: arguments.node.as_ref() };
     let picture = scenes::load(&arguments.file, &library, &arguments.engine, &change)?;
+    outputs::require_apart(&outputs)?;
     let settings = settings(arguments, &picture);
     let start = Instant::now();
     let rendered = render(&picture, &settings, arguments.quiet)?;
@@ -110,12 +115,11 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         compile_milliseconds: picture.compile_milliseconds(),
         render_milliseconds: start.elapsed().as_secs_f64() * 1e3,
     };
-    film::write(&rendered.film, &output, arguments.exposure)
+    let bytes = film::encode(&rendered.film, &output, arguments.exposure)
         .map_err(|error| Failure::new(error, "name another file with -o"))?;
-    if let Some(path) = &arguments.stats {
-        std::fs::write(path, cost.json()).map_err(|error| {
-            Failure::new(format!("--stats {}: {error}", path.display()), "name another file")
-        })?;
+    picture_file.write(bytes)?;
+    if let Some(stats) = stats {
+        stats.write(cost.json())?;
     }
     if !arguments.quiet {
         terminal::tell(&format!("{}: {}", output.display(), cost.summary()));
@@ -124,6 +128,12 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 }
 
 fn default_output(arguments: &Arguments) -> Result<PathBuf, Failure> {
+    if inputs::is_standard_input(&arguments.file) {
+        return Err(Failure::new(
+            "a picture of standard input has no name",
+            "give one with -o, such as -o picture.png",
+        ));
+    }
     let name = arguments.file.file_stem().ok_or_else(|| {
         let message = format!("{} is no file", arguments.file.display());
         Failure::new(message, "give a graph or scene file")

@@ -1,0 +1,97 @@
+//! `phenomenon man`.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Command, ValueHint};
+use clap_mangen::Man;
+use phenomenon_compiler::document::nearest;
+
+use crate::failure::{Failure, Outcome};
+use crate::outputs::Output;
+use crate::terminal;
+
+/// Write manual pages.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// The command whose page is written; otherwise that of the program
+    #[arg(conflicts_with = "output")]
+    command: Option<String>,
+
+    /// Write the pages of the program and of every command to this folder
+    #[arg(short, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    output: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  phenomenon man render | man -l -
+  phenomenon man -o ~/.local/share/man/man1";
+
+/// Runs the command.
+///
+/// # Errors
+/// There is no such command, or a page cannot be written.
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let pages = pages()?;
+    if let Some(folder) = &arguments.output {
+        write(folder, &pages)?;
+        return Ok(Outcome::Fine);
+    }
+    let name = match &arguments.command {
+        Some(command) => format!("phenomenon-{command}"),
+        None => "phenomenon".into(),
+    };
+    let Some((_, page)) = pages.iter().find(|(known, _)| *known == name) else {
+        let command = arguments.command.as_deref().unwrap_or_default();
+        let names = pages.iter().filter_map(|(name, _)| name.strip_prefix("phenomenon-"));
+        let help = match nearest(command, names) {
+            Some(near) => near.help(),
+            None => "`phenomenon --help` lists the commands".into(),
+        };
+        return Err(Failure::new(format!("there is no command `{command}`"), help));
+    };
+    terminal::print(page)?;
+    Ok(Outcome::Fine)
+}
+
+/// Pages by name: that of the program, and one a command.
+fn pages() -> Result<Vec<(String, String)>, Failure> {
+    let mut program = crate::grammar();
+    // Usage of a command names the program only then.
+    program.build();
+    let mut pages = vec![page(&program, "phenomenon".into())?];
+    let mut pending: Vec<(String, &Command)> =
+        program.get_subcommands().map(|command| ("phenomenon".into(), command)).collect();
+    while let Some((of, command)) = pending.pop() {
+        if command.get_name() == "help" {
+            continue;
+        }
+        let name = format!("{of}-{}", command.get_name());
+        pages.push(page(command, name.clone())?);
+        pending.extend(command.get_subcommands().map(|inner| (name.clone(), inner)));
+    }
+    pages.sort();
+    Ok(pages)
+}
+
+fn page(command: &Command, name: String) -> Result<(String, String), Failure> {
+    let mut bytes = Vec::new();
+    let man = Man::new(command.clone()).title(name.as_str()).manual("Phenomenon");
+    man.render(&mut bytes)?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        Failure::new(format!("the page {name} is no text: {error}"), "please report this")
+    })?;
+    Ok((name, text))
+}
+
+fn write(folder: &Path, pages: &[(String, String)]) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|error| {
+        Failure::new(format!("-o {}: {error}", folder.display()), "name another folder")
+    })?;
+    for (name, page) in pages {
+        let path = folder.join(format!("{name}.1"));
+        Output { flag: "-o", path: &path }.write(page)?;
+    }
+    Ok(())
+}
