@@ -5,7 +5,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, Error};
 
 /// What others call a flag of ours, and how it is written here.
-const SYNONYMS: [(&str, &[&str], &str); 13] = [
+const SYNONYMS: [(&str, &[&str], &str); 11] = [
     ("spp", &["samples", "sample", "sample-count", "aa", "aa-samples"], "--spp N"),
     ("o", &["output", "out", "outfile", "output-file"], "-o FILE"),
     (
@@ -19,9 +19,7 @@ const SYNONYMS: [(&str, &[&str], &str); 13] = [
     ("stats", &["statistics", "stat", "report"], "--stats FILE.json"),
     ("seed", &["random-seed", "rng-seed"], "--seed N"),
     ("quiet", &["silent", "q", "no-progress"], "--quiet"),
-    ("region", &["crop", "crop-window", "border", "window"], "--region X,Y,W,H"),
     ("tolerance", &["threshold", "epsilon", "max-rms"], "--tolerance RMS"),
-    ("scene", &["stage", "world"], "--scene STAGE.json"),
     ("format", &["json", "output-format"], "--format, such as --format json"),
 ];
 

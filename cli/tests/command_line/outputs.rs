@@ -89,6 +89,33 @@ fn a_rendering_replaces_nothing_it_reads() {
 }
 
 #[test]
+fn a_name_that_was_not_chosen_costs_no_file() {
+    let folder = used();
+    let render = |arguments: &[&str]| {
+        run_in(&folder.path(""), &[&["render"], arguments, &SMALL[..]].concat(), "")
+    };
+    // Nothing reads it, but it is there.
+    for photograph in [&b"a photograph"[..], &fs::read(folder.path("other.png")).unwrap()] {
+        folder.file("outer.png", photograph);
+        let parts = ["outer.png exists", "-o outer.png"];
+        kept(&folder, &[&["render", "outer.json"], &SMALL[..]].concat(), &parts);
+    }
+    // Where the name is chosen it is replaced; by such a picture it is not replaced unasked.
+    assert_eq!(render(&["outer.json", "-o", "outer.png"]).code, Some(0));
+    assert_eq!(render(&["outer.json"]).code, Some(2));
+    fs::remove_file(folder.path("outer.png")).unwrap();
+    // The next picture of the same name takes the place of the one before.
+    assert_eq!(render(&["outer.json"]).code, Some(0));
+    let first = fs::read(folder.path("outer.png")).unwrap();
+    assert_eq!(render(&["outer.json", "--seed", "1"]).code, Some(0));
+    assert_eq!(render(&["outer.json"]).code, Some(0));
+    assert!(first == fs::read(folder.path("outer.png")).unwrap());
+    let (named, chosen) = (folder.path("outer.png"), folder.path("chosen.png"));
+    assert_eq!(render(&["outer.json", "-o", "chosen.png"]).code, Some(0));
+    printed(&["compare", &named, &chosen, "--tolerance", "0"]);
+}
+
+#[test]
 fn no_output_replaces_another() {
     let folder = used();
     symlink(".", folder.path("here")).unwrap();

@@ -1,6 +1,7 @@
 //! `phenomenon render`.
 
 mod cost;
+mod named;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -16,7 +17,6 @@ use self::cost::Cost;
 use crate::arguments::{self, Assignment, NodePath, Size};
 use crate::failure::{Failure, Outcome};
 use crate::graphs::EngineArguments;
-use crate::inputs;
 use crate::outputs::{self, Output};
 use crate::scenes::{self, Change, Picture};
 use crate::terminal;
@@ -56,7 +56,8 @@ pub struct Arguments {
     #[arg(long, value_name = "NODE[.OUTPUT]", value_parser = arguments::node_path)]
     node: Option<NodePath>,
 
-    /// Where the picture goes; otherwise NAME.png here, for a file called NAME.json
+    /// Where the picture goes; otherwise NAME.png here, for a file called NAME.json, where no other
+    /// file is called so
     #[arg(short, value_name = "FILE.png|exr|hdr", value_parser = arguments::picture,
           value_hint = ValueHint::FilePath)]
     output: Option<PathBuf>,
@@ -93,7 +94,7 @@ Examples:
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let output = match &arguments.output {
         Some(path) => path.clone(),
-        None => default_output(arguments)?,
+        None => named::name(&arguments.file)?,
     };
     let picture_file = Output { flag: "-o", path: &output };
     let stats = arguments.stats.as_deref().map(|path| Output { flag: "--stats", path });
@@ -103,6 +104,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let change = Change { set: &arguments.set, node: arguments.node.as_ref() };
     let picture = scenes::load(&arguments.file, &library, &arguments.engine, &change)?;
     outputs::require_apart(&outputs)?;
+    let is_named = arguments.output.is_none();
+    if is_named {
+        named::require_replaceable(&output)?;
+    }
     let settings = settings(arguments, &picture);
     let start = Instant::now();
     let rendered = render(&picture, &settings, arguments.quiet)?;
@@ -117,7 +122,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     let bytes = film::encode(&rendered.film, &output, arguments.exposure)
         .map_err(|error| Failure::new(error, "name another file with -o"))?;
-    picture_file.write(bytes)?;
+    picture_file.write(if is_named { named::marked(bytes) } else { bytes })?;
     if let Some(stats) = stats {
         stats.write(cost.json())?;
     }
@@ -125,22 +130,6 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         terminal::tell(&format!("{}: {}", output.display(), cost.summary()));
     }
     Ok(Outcome::Fine)
-}
-
-fn default_output(arguments: &Arguments) -> Result<PathBuf, Failure> {
-    if inputs::is_standard_input(&arguments.file) {
-        return Err(Failure::new(
-            "a picture of standard input has no name",
-            "give one with -o, such as -o picture.png",
-        ));
-    }
-    let name = arguments.file.file_stem().ok_or_else(|| {
-        let message = format!("{} is no file", arguments.file.display());
-        Failure::new(message, "give a graph or scene file")
-    })?;
-    let mut name = name.to_os_string();
-    name.push(".png");
-    Ok(name.into())
 }
 
 fn settings(arguments: &Arguments, picture: &Picture) -> Settings {
