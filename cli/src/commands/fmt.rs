@@ -45,7 +45,7 @@ Exit codes:
 /// Runs the command.
 ///
 /// # Errors
-/// A file that cannot be written, or no file at all.
+/// There is nothing to format, or standard output cannot be written.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let found = inputs::find(&arguments.paths).once();
     let mut outcome = Outcome::Fine;
@@ -67,8 +67,15 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             }
         };
         looked_at += 1;
-        if format(arguments, input, &document)? && outcome == Outcome::Fine {
-            outcome = Outcome::Found;
+        match format(arguments, input, &document) {
+            Ok(told) if told && outcome == Outcome::Fine => outcome = Outcome::Found,
+            Ok(_) => {}
+            // The other files are none the worse for it.
+            Err(failure @ Failure::Refused { .. }) => {
+                terminal::complain(&failure);
+                outcome = Outcome::Unreadable;
+            }
+            Err(failure) => return Err(failure),
         }
     }
     if looked_at == 0 && outcome == Outcome::Fine {

@@ -171,14 +171,19 @@ fn limited(folder: &Folder, ignored: bool, arguments: &[&str]) -> Run {
 fn a_file_that_does_not_fit_leaves_the_old_one() {
     let folder = used();
     let nodes: Vec<String> = (0..200)
-        .map(|at| format!(r#""n{at}": {{ "type": "add", "inputs": {{"a": 1, "bb": 2}} }}"#))
+        .map(|at| format!(r#""n{at}": {{ "type": "add", "inputs": {{"a": 1, "b": 2}} }}"#))
         .collect();
     let big = format!(
         r#"{{ "phenomenon": "big", "version": 1, "nodes": {{ {} }}, "roots": {{ "material": {{ "node": "n0" }} }} }}"#,
         nodes.join(",")
     );
-    folder.file("big.json", big.replace("\"bb\"", "\"b\""));
-    folder.file("misspelt.json", big.replace("\"bb\"", "\"b\"").replacen("\"add\"", "\"ad\"", 1));
+    folder.file("big.json", &big);
+    let doc = "long ".repeat(1_000);
+    let misspelt = format!(
+        r#"{{ "phenomenon": "a", "version": 1, "doc": "{doc}",
+             "nodes": {{ "n": {{ "type": "lambrt" }} }}, "roots": {{ "material": {{ "node": "n" }} }} }}"#
+    );
+    folder.file("misspelt.json", misspelt);
     folder.file("a.exr", "old");
     folder.file("a.svg", "old");
     folder.file("a.dot", "old");
@@ -186,6 +191,7 @@ fn a_file_that_does_not_fit_leaves_the_old_one() {
     let render = ["render", "wood.json", "-o", "a.exr", "--size", "64x64", "--spp", "1", "--quiet"];
     for arguments in [
         &["fmt", "big.json"][..],
+        &["check", "--fix", "misspelt.json"],
         &render,
         &["show", "big.json", "-o", "a.svg"],
         &["show", "big.json", "-o", "a.dot"],
@@ -196,9 +202,11 @@ fn a_file_that_does_not_fit_leaves_the_old_one() {
             assert!(before == contents(&folder), "{arguments:?} changed a file");
         }
     }
-    // A small file fits.
-    let run = limited(&folder, false, &["fmt", "outer.json"]);
-    assert_eq!(run.code, Some(0), "{run:?}");
+    // A small file fits, and is formatted whatever happens to the others.
+    let run = limited(&folder, false, &["fmt", "big.json", "outer.json"]);
+    assert_eq!(run.code, Some(2), "{run:?}");
+    assert_eq!(fs::read_to_string(folder.path("big.json")).unwrap(), big);
+    assert_eq!(limited(&folder, false, &["fmt", "--check", "outer.json"]).code, Some(0));
 }
 
 #[test]
