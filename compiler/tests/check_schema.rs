@@ -1,6 +1,7 @@
-//! The schema that is checked in is the one the list of nodes makes.
+//! The schema that is checked in is the one the list of nodes makes, and the reference page of scenes has the tables that
+//! the keys of scenes make.
 //!
-//! `PHENOMENON_BLESS=1 cargo test -p phenomenon-compiler --test check_schema` writes it anew.
+//! `PHENOMENON_BLESS=1 cargo test -p phenomenon-compiler --test check_schema` writes both anew.
 
 use std::path::{Path, PathBuf};
 
@@ -8,7 +9,7 @@ use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::document::read;
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_compiler::schema::file_schema;
+use phenomenon_compiler::schema::{SCENE, file_schema, scene_page};
 
 fn schema() -> serde_json::Value {
     serde_json::from_str(&file_schema(&NodeLibrary::standard())).unwrap()
@@ -29,6 +30,23 @@ fn the_schema_is_in_sync() {
     }
     let checked_in = std::fs::read_to_string(&path).unwrap_or_default();
     assert!(checked_in == schema, "graphs/schema.json differs; write it anew as this file says");
+}
+
+#[test]
+fn the_page_of_scenes_shows_the_keys_as_they_are() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/scene-format.md");
+    let mut page = std::fs::read_to_string(&path).unwrap();
+    let made = scene_page(&page).unwrap();
+    if std::env::var_os("PHENOMENON_BLESS").is_some() {
+        std::fs::write(&path, &made).unwrap();
+        page.clone_from(&made);
+    }
+    assert!(page == made, "docs/scene-format.md differs; write it anew as this file says");
+    // Every section is a heading that the tables refer to.
+    for section in SCENE.all().into_iter().skip(1) {
+        assert!(page.contains(&format!("# {}\n", section.name)), "{}", section.name);
+    }
+    assert!(page.contains("# set\n"));
 }
 
 #[test]

@@ -47,8 +47,9 @@ pub fn read_graph_file(path: &Path, library: &NodeLibrary) -> Checked {
 }
 
 /// The keys of a phenomenon.
-const KEYS: [&str; 9] = [
+const KEYS: [&str; 10] = [
     "$schema",
+    "format",
     "phenomenon",
     "version",
     "doc",
@@ -80,7 +81,7 @@ pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn 
 /// Checks a phenomenon; the graph has no nested phenomena any more.
 pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<Nested> {
     let root = &reader.document.root;
-    if !is_graph(reader, root) {
+    if !is_graph(reader, root) || !reader.reads_format(root) {
         return None;
     }
     let object = reader.object(root, "a phenomenon", &KEYS)?;

@@ -134,6 +134,10 @@ codes! {
         "A scene is an object with the key `scene`, a graph one with the key `phenomenon`. This file is the other of the two, or neither.",
         wrong r#"{ "camera": { "position": [0, 0, 5], "look_at": [0, 0, 0] }, "objects": [] }"#,
         right r#"{ "scene": "s", "camera": { "position": [0, 0, 5], "look_at": [0, 0, 0] }, "objects": [] }"#;
+    NEWER_FORMAT "newer-format" Error "A file of a newer format",
+        "The file says by its key `format` that it is written for a format this program does not know yet, so nothing else is said about it. A newer version of the program reads it. Without the key a file has format 1.",
+        wrong r#"{ "format": 2, "phenomenon": "a", "roots": { "material": 1 } }"#,
+        right r#"{ "format": 1, "phenomenon": "a", "roots": { "material": 1 } }"#;
     UNUSABLE_FILE "unusable-file" Error "A mesh or picture that cannot be used",
         "A scene names a mesh or a picture that was found but is malformed, empty, or holds numbers that are not finite.",
         wrong r#"s.json: { … "objects": [{ "mesh": "teapot.blend", … }] … }"#,

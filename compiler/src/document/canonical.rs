@@ -9,7 +9,7 @@ const WIDTH: usize = 120;
 /// Most levels that are indented: deeper ones must still fit a line.
 const INDENTED: usize = 20;
 
-/// The document as text, two spaces a level. The file, its sections (`interface`, `nodes`,
+/// The document as text, two spaces a level. The order stays, but `format` comes first, after `$schema`. The file, its sections (`interface`, `nodes`,
 /// `objects` …) and what they list have one line for each member; in what is listed, such as a node,
 /// lines are filled up to 120 characters. Numbers stay as written, strings are escaped only where they
 /// must be, and one blank line stays one.
@@ -47,7 +47,8 @@ impl Layout<'_> {
                 (elements.iter().map(|it| (None, it)).collect(), "[", "]")
             }
             ValueKind::Object(members) => {
-                (members.iter().map(|it| (Some(it), &it.value)).collect(), "{", "}")
+                let members = if depth == 0 { in_order(members) } else { members.iter().collect() };
+                (members.into_iter().map(|it| (Some(it), &it.value)).collect(), "{", "}")
             }
             // A leaf longer than a line is still one line.
             _ => return self.text.extend(one_line(value, usize::MAX)),
@@ -125,7 +126,10 @@ impl Layout<'_> {
     /// Leaves an empty line where the source has some between two elements; whether it has.
     fn keep_blank_line(&mut self, (_, before): Element<'_>, (member, value): Element<'_>) -> bool {
         let start = member.map_or(value.start, |member| member.key_start);
-        let blank = self.source[before.end..start].matches('\n').count() > 1;
+        // Where one of the two has been moved, what stands between them in the source says nothing.
+        let between = self.source.get(before.end..start).filter(|between| !between.contains('"'));
+        let above = || &self.source[self.source[..start].trim_end().len()..start];
+        let blank = between.unwrap_or_else(above).matches('\n').count() > 1;
         if blank {
             self.text.push('\n');
         }
@@ -137,6 +141,20 @@ impl Layout<'_> {
         self.line = self.text.len();
         self.text.extend(std::iter::repeat_n(' ', 2 * depth.min(INDENTED)));
     }
+}
+
+/// The keys of a file in their order, but for `format`: it says how to read the others, so it comes before them, after
+/// the `$schema` alone.
+fn in_order(members: &[Member]) -> Vec<&Member> {
+    let mut order: Vec<&Member> = members.iter().collect();
+    let position = |key: &str| members.iter().position(|member| member.key == key);
+    let is_ours = position("phenomenon").or(position("scene")).is_some();
+    if let Some(from) = position("format").filter(|_| is_ours) {
+        let format = order.remove(from);
+        let schema = order.iter().position(|member| member.key == "$schema");
+        order.insert(schema.map_or(0, |at| at + 1), format);
+    }
+    order
 }
 
 fn is_leaf(value: &Value) -> bool {
@@ -224,6 +242,20 @@ mod tests {
             "{\n  \"nodes\": {\n    \"a\": {},\n    \"b\": { \"x\": 2 },\n\n    \"c\": 3\n  }\n}\n";
         assert_eq!(format(text), form);
         assert_eq!(format(form), form);
+    }
+
+    #[test]
+    fn the_format_comes_before_what_it_is_of() {
+        let text = "{\"phenomenon\":\"a\",\"$schema\":\"s\",\n\n\"doc\":\"\",\n\"format\":1,\n\"roots\":{}}";
+        let form = "{\n  \"phenomenon\": \"a\",\n  \"$schema\": \"s\",\n  \"format\": 1,\n\n  \"doc\": \"\",\n  \"roots\": {}\n}\n";
+        assert_eq!(format(text), form);
+        assert_eq!(format(form), form);
+        let text = "{\"scene\":\"a\",\n\n\"format\":1,\"x\":2}";
+        let form = "{\n  \"format\": 1,\n  \"scene\": \"a\",\n  \"x\": 2\n}\n";
+        assert_eq!(format(text), form);
+        // Whatever is no graph and no scene has keys of its own.
+        let foreign = "{\n  \"x\": 2,\n  \"format\": 1\n}\n";
+        assert_eq!(format(foreign), foreign);
     }
 
     #[test]

@@ -5,6 +5,7 @@
 
 mod canonical;
 mod open;
+mod format;
 mod places;
 mod prescan;
 mod read;
@@ -19,6 +20,7 @@ use crate::diagnostics::SourceFile;
 pub use canonical::canonical;
 pub(crate) use open::irregular;
 pub use open::{open_file, opened_files};
+pub use format::FORMAT;
 pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES};
 pub use read::{read, read_file, read_from};
 pub use reader::listed;

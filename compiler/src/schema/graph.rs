@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::{described, object, reference};
 use crate::check::MAX_SHADERS;
+use crate::document::FORMAT;
 use crate::graph::RootKind;
 use crate::nodes::{Default, Input, NodeLibrary, Signature, Space, Type};
 
@@ -43,6 +44,10 @@ fn graph() -> Value {
         &["phenomenon", "roots"],
         json!({
             "$schema": { "type": "string" },
+            "format": {
+                "type": "integer", "minimum": 1, "maximum": FORMAT, "default": 1,
+                "description": "Format of the file.",
+            },
             "phenomenon": described("name", "Name of the phenomenon."),
             "version": {
                 "type": "integer", "minimum": 0, "maximum": i32::MAX,

@@ -1,12 +1,22 @@
 //! The JSON Schema of graph and scene files, made from the list of nodes: editors complete node
-//! types, inputs and enumerations from it, with their docs.
+//! types, inputs and enumerations from it, with their docs. What is known of the keys of scenes stands in one table.
 
 mod graph;
+mod key;
+mod page;
 mod scene;
+mod scene_keys;
 
 use serde_json::{Map, Value, json};
 
 use crate::nodes::NodeLibrary;
+
+pub use key::{Given, Key, Kind, Section};
+pub use page::scene_page;
+pub use scene_keys::{
+    CAMERA, COORDINATES, DIRECTIONAL, ENVIRONMENT, GRADIENT, LENGTHS, LIGHT, LIGHT_SOURCE,
+    MATERIAL, OBJECT, OPTIONS, POINT, RECTANGLE, SCENE, SPHERE, TRANSFORM,
+};
 
 /// The schema as JSON text (draft 7, which editors know best). A file with the key `scene` is a
 /// scene, any other a graph.
@@ -16,7 +26,7 @@ pub fn file_schema(library: &NodeLibrary) -> String {
     scene::define(&mut definitions);
     let schema = json!({
         "$schema": "http://json-schema.org/draft-07/schema#",
-        "title": "phenomenon graph or scene, version 1",
+        "title": "phenomenon graph or scene, format 1",
         "type": "object",
         "if": { "required": ["scene"] },
         "then": reference("scene"),

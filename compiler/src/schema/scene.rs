@@ -2,17 +2,15 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{described, object, reference};
+use super::key::{Given, Key, Kind, Section};
+use super::scene_keys::SCENE;
+use super::{object, reference};
 
 /// Adds the definition `scene` and what it needs.
 pub(super) fn define(definitions: &mut Map<String, Value>) {
-    definitions.insert("scene".into(), scene());
-    definitions.insert("scene_camera".into(), camera());
-    definitions.insert("scene_object".into(), scene_object());
-    definitions.insert("scene_material".into(), material());
-    definitions.insert("scene_light".into(), light());
-    definitions.insert("scene_environment".into(), environment());
-    definitions.insert("scene_options".into(), options());
+    for section in SCENE.all() {
+        definitions.insert(definition(section), schema(section));
+    }
     definitions.insert(
         "scene_settings".into(),
         json!({
@@ -27,126 +25,110 @@ pub(super) fn define(definitions: &mut Map<String, Value>) {
     );
 }
 
-fn scene() -> Value {
-    let text = json!({ "type": "string" });
-    object(
-        &["scene", "camera", "objects"],
-        json!({
-            "$schema": text,
-            "scene": { "type": "string", "description": "Name of the scene." },
-            "version": { "const": 1 },
-            "doc": text,
-            "camera": reference("scene_camera"),
-            "objects": { "type": "array", "items": reference("scene_object") },
-            "lights": { "type": "array", "items": reference("scene_light") },
-            "environment": described("scene_environment", "What rays see that leave the scene."),
-            "options": reference("scene_options"),
-            "editor": { "description": "Whatever editors keep here; it changes nothing." },
-        }),
-    )
+/// The name of the definition of a section.
+fn definition(section: &Section) -> String {
+    match section.name {
+        "scene" => "scene".into(),
+        name => format!("scene_{name}"),
+    }
 }
 
-fn vector(description: &str) -> Value {
-    described("vector_literal", description)
-}
-
-fn camera() -> Value {
-    object(
-        &["position", "look_at"],
-        json!({
-            "position": vector("Where it stands."),
-            "look_at": vector("The point in the middle of the picture."),
-            "up": vector("A direction that points up in the picture."),
-            "field_of_view": { "type": "number", "description": "Angle over the picture's height, in degrees." },
-        }),
-    )
-}
-
-fn scene_object() -> Value {
-    let text = json!({ "type": "string" });
-    let length = json!({ "type": "number", "exclusiveMinimum": 0 });
-    let mut schema = object(
-        &["material"],
-        json!({
-            "name": text,
-            "doc": text,
-            "sphere": object(&["radius"], json!({ "center": vector("Its centre."), "radius": length })),
-            "mesh": { "type": "string", "description": "An OBJ file; its path starts at the scene's folder." },
-            "rectangle": object(&["width", "depth"], json!({ "width": length, "depth": length })),
-            "normals": { "enum": ["smooth", "flat"] },
-            "transform": object(&[], json!({
-                "scale": { "type": ["number", "array"] },
-                "rotate": vector("Angles in degrees."),
-                "translate": vector("In scene units."),
-                "matrix": { "type": "array", "items": { "type": "number" }, "minItems": 12, "maxItems": 12 },
-            })),
-            "material": reference("scene_material"),
-        }),
-    );
-    schema["oneOf"] = json!([
-        { "required": ["sphere"] }, { "required": ["mesh"] }, { "required": ["rectangle"] },
-    ]);
+fn schema(section: &Section) -> Value {
+    let required = |key: &&Key| key.given == Given::Required;
+    let required: Vec<&str> = section.keys.iter().filter(required).map(|key| key.name).collect();
+    let properties = section.keys.iter().map(|key| (key.name.to_owned(), property(key)));
+    let mut schema = object(&required, Value::Object(properties.collect()));
+    if !section.one_of.is_empty() {
+        schema["oneOf"] = section.one_of.iter().map(|key| json!({ "required": [key] })).collect();
+    }
     schema
 }
 
-fn material() -> Value {
-    json!({ "anyOf": [
-        object(&["subject"], json!({ "subject": { "const": true }, "set": reference("scene_settings") })),
-        object(&["file"], json!({
-            "file": { "type": "string", "description": "A graph file; its path starts at the scene's folder." },
-            "set": reference("scene_settings"),
-        })),
-    ] })
+fn property(key: &Key) -> Value {
+    let of_kind = of_kind(&key.kind);
+    // What stands beside a reference is not read.
+    let mut property = match of_kind.get("$ref") {
+        Some(_) => json!({ "allOf": [of_kind] }),
+        None => of_kind,
+    };
+    let doc = key.doc.replace('`', "");
+    property["description"] = match key.unit {
+        "" => format!("{doc}."),
+        unit => format!("{doc} ({unit})."),
+    }
+    .into();
+    if let Given::Default(default) = key.given
+        && let Ok(default) = serde_json::from_str::<Value>(default)
+    {
+        property["default"] = default;
+    }
+    property
 }
 
-fn light() -> Value {
-    let mut schema = object(
-        &["name"],
-        json!({
-            "name": { "type": "string", "description": "What graphs call it." },
-            "point": object(&["position"], json!({ "position": vector("Where it stands.") })),
-            "directional": object(&["direction"], json!({ "direction": vector("Where its light goes.") })),
-            "color": reference("vector_literal"),
-            "intensity": { "type": "number", "minimum": 0 },
-        }),
-    );
-    schema["oneOf"] = json!([{ "required": ["point"] }, { "required": ["directional"] }]);
-    schema
+/// A number of JSON; bounds of 64 bits keep all their digits.
+fn whole(number: i128) -> Value {
+    match (u64::try_from(number), i64::try_from(number)) {
+        (Ok(number), _) => number.into(),
+        (_, Ok(number)) => number.into(),
+        _ => (number as f64).into(),
+    }
 }
 
-fn environment() -> Value {
-    let color = reference("vector_literal");
-    let mut schema = object(
-        &[],
-        json!({
-            "color": color,
-            "gradient": object(
-                &["zenith", "horizon", "ground"],
-                json!({ "zenith": color, "horizon": color, "ground": color }),
-            ),
-            "image": { "type": "string", "description": "A picture of the whole sky; its path starts at the scene's folder." },
-            "intensity": { "type": "number", "minimum": 0 },
-            "rotation": { "type": "number", "description": "Degrees about the vertical." },
-            "file": { "type": "string", "description": "A graph with an environment root." },
-            "set": reference("scene_settings"),
+fn of_kind(kind: &Kind) -> Value {
+    match kind {
+        Kind::Text => json!({ "type": "string" }),
+        Kind::File => json!({ "type": "string", "minLength": 1 }),
+        Kind::Word(words) => json!({ "enum": words }),
+        Kind::True => json!({ "const": true }),
+        Kind::Whole(range) => {
+            json!({ "type": "integer", "minimum": whole(*range.start()), "maximum": whole(*range.end()) })
+        }
+        Kind::Number(range) => {
+            json!({ "type": "number", "minimum": range.start(), "maximum": range.end() })
+        }
+        Kind::Several(of, count) => json!({
+            "type": "array", "items": of_kind(of),
+            "minItems": count.start(), "maxItems": count.end(),
         }),
-    );
-    schema["minProperties"] = json!(1);
-    schema
+        Kind::Either(one, other) => json!({ "anyOf": [of_kind(one), of_kind(other)] }),
+        Kind::Object(section) => reference(&definition(section)),
+        Kind::Objects(section) => {
+            json!({ "type": "array", "items": reference(&definition(section)) })
+        }
+        Kind::Settings => reference("scene_settings"),
+        Kind::Anything => json!({}),
+    }
 }
 
-fn options() -> Value {
-    let count = json!({ "type": "integer", "minimum": 0 });
-    object(
-        &[],
-        json!({
-            "size": { "type": "array", "items": { "type": "integer", "minimum": 1 }, "minItems": 2, "maxItems": 2 },
-            "samples": { "type": "integer", "minimum": 1, "description": "Samples per pixel." },
-            "trace_depth": {
-                "anyOf": [count, { "type": "array", "items": count, "minItems": 1, "maxItems": 3 }],
-                "description": "Reflections; or reflections and refractions; or both and their sum.",
-            },
-            "seed": count,
-        }),
-    )
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_default_is_json_and_every_choice_a_key() {
+        let mut names = Vec::new();
+        for section in SCENE.all() {
+            assert!(!names.contains(&section.name), "two sections are called {}", section.name);
+            names.push(section.name);
+            for key in section.keys {
+                let at = format!("{}.{}", section.name, key.name);
+                if let Given::Default(default) = key.given {
+                    let default = serde_json::from_str::<Value>(default);
+                    let schema = json!({ "allOf": [of_kind(&key.kind)], "definitions": {
+                        "scene_settings": {} } });
+                    let refers = key.kind.section().is_some();
+                    let suits = |default: &Value| {
+                        refers || jsonschema::draft7::new(&schema).unwrap().is_valid(default)
+                    };
+                    assert!(default.is_ok_and(|default| suits(&default)), "{at}");
+                }
+                let is_choice = section.one_of.contains(&key.name);
+                assert_eq!(key.given == Given::Choice, is_choice, "{at}");
+                assert!(!key.doc.is_empty() && !key.doc.ends_with('.'), "{at}");
+            }
+            let choices = section.keys.iter().filter(|key| key.given == Given::Choice);
+            assert_eq!(choices.count(), section.one_of.len(), "{}", section.name);
+        }
+        assert!(names.len() >= 12, "{names:?}");
+    }
 }

@@ -4,25 +4,13 @@ use std::path::Path;
 
 use phenomenon_compiler::diagnostics::{Code, Finding, Place};
 use phenomenon_compiler::document::{Document, Object, Reader, Value, ValueKind, read, read_file};
+use phenomenon_compiler::schema::{COORDINATES, OPTIONS, SCENE, Section};
 
 use super::depth::{DEPTH_LIMIT, TraceDepth};
 use super::description::{GraphUse, SceneDescription, SceneOptions};
 use super::{objects, surroundings};
 use crate::film::{PIXEL_LIMIT, SIDE_LIMIT};
 use crate::render::SAMPLE_LIMIT;
-
-const KEYS: [&str; 10] = [
-    "$schema",
-    "scene",
-    "version",
-    "doc",
-    "camera",
-    "objects",
-    "lights",
-    "environment",
-    "options",
-    "editor",
-];
 
 /// What reading a scene yields.
 #[derive(Clone, Default)]
@@ -90,13 +78,16 @@ fn scene(reader: &mut Reader<'_>, folder: &Path, file: &mut SceneFile) -> Option
         reader.findings.push(Finding::new(Code::NOT_A_SCENE, place, "this file is no scene", help));
         return None;
     }
-    let object = reader.object(root, "a scene", &KEYS)?;
+    if !reader.reads_format(root) {
+        return None;
+    }
+    let object = section(reader, root, &SCENE)?;
     let name = object.required(reader, "scene").and_then(|value| reader.string(value, "`scene`"));
     if let Some(value) = object.optional("version") {
         reader.integer(value, "`version`", 1..=1);
     }
-    if let Some(value) = object.optional("doc") {
-        reader.string(value, "`doc`");
+    for (key, what) in [("doc", "`doc`"), ("$schema", "`$schema`")] {
+        object.optional(key).map(|value| reader.string(value, what));
     }
     let camera =
         object.required(reader, "camera").and_then(|value| surroundings::camera(reader, value));
@@ -133,7 +124,7 @@ fn scene(reader: &mut Reader<'_>, folder: &Path, file: &mut SceneFile) -> Option
 
 /// Every option is read, so that every mistake is found.
 fn options<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<SceneOptions> {
-    let object = reader.object(value, "`options`", &["size", "samples", "trace_depth", "seed"])?;
+    let object = section(reader, value, &OPTIONS)?;
     let default = SceneOptions::default();
     let size = match object.optional("size") {
         Some(value) => size(reader, value),
@@ -207,5 +198,11 @@ pub(super) fn vector<'d>(
     reader.numbers(value, &format!("`{key}` of {}", object.what), COORDINATES)
 }
 
-/// What coordinates may be.
-pub(super) const COORDINATES: std::ops::RangeInclusive<f64> = -1e12..=1e12;
+/// An object with the keys of a section, or a finding.
+pub(super) fn section<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    section: &Section,
+) -> Option<Object<'d>> {
+    reader.object(value, section.what, &section.names())
+}

@@ -7,15 +7,15 @@ use std::sync::Arc;
 use phenomenon_compiler::diagnostics::{Code, Finding, Place};
 use phenomenon_compiler::document::{Member, Object, Reader, Value, ValueKind};
 use phenomenon_compiler::graph::RootKind;
+use phenomenon_compiler::schema::{
+    COORDINATES, LENGTHS, MATERIAL, OBJECT, RECTANGLE, SPHERE, TRANSFORM,
+};
 
 use super::description::{
     GraphUse, MaterialRef, MaterialSource, ObjectDescription, Override, ShapeDescription,
 };
-use super::file::{COORDINATES, vector};
+use super::file::{section, vector};
 use crate::geometry::{Mesh, Normals, ObjError, Transform, read_obj};
-
-/// What lengths may be.
-const LENGTHS: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 
 pub(super) fn objects<'d>(
     reader: &mut Reader<'d>,
@@ -50,8 +50,7 @@ fn object<'d>(
     folder: &Path,
     uses: &mut Vec<GraphUse>,
 ) -> Option<ObjectDescription> {
-    let keys = ["name", "doc", "sphere", "mesh", "rectangle", "normals", "transform", "material"];
-    let object = reader.object(value, "an object", &keys)?;
+    let object = section(reader, value, &OBJECT)?;
     let name = object.optional("name").map(|name| reader.string(name, "`name`"));
     if let Some(value) = object.optional("doc") {
         reader.string(value, "`doc`");
@@ -100,7 +99,7 @@ fn shape<'d>(
     };
     let shape = match kind {
         "sphere" => {
-            let object = reader.object(value, "a sphere", &["center", "radius"])?;
+            let object = section(reader, value, &SPHERE)?;
             let center = match object.optional("center") {
                 Some(_) => vector(reader, &object, "center"),
                 None => Some([0.0; 3]),
@@ -115,7 +114,7 @@ fn shape<'d>(
             normals.map(|_| ShapeDescription::Mesh(Arc::new(mesh)))?
         }
         _ => {
-            let object = reader.object(value, "a rectangle", &["width", "depth"])?;
+            let object = section(reader, value, &RECTANGLE)?;
             let mut side = |key: &str| {
                 let value = object.required(reader, key)?;
                 reader.number(value, &format!("`{key}` of a rectangle"), LENGTHS)
@@ -151,8 +150,7 @@ fn mesh<'d>(
 
 /// `scale`, `rotate` and `translate`, applied in this order, or the three rows of a `matrix`.
 fn transform<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Transform> {
-    let keys = ["scale", "rotate", "translate", "matrix"];
-    let object = reader.object(value, "a transform", &keys)?;
+    let object = section(reader, value, &TRANSFORM)?;
     let transform = match object.optional("matrix") {
         Some(matrix) => {
             let numbers: [f64; 12] =
@@ -186,7 +184,7 @@ fn transform<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Transform>
 
 /// `{"subject": true}`, or `{"file": "graph.json", "set": {…}}`.
 fn material<'d>(reader: &mut Reader<'d>, value: &'d Value, folder: &Path) -> Option<MaterialRef> {
-    let object = reader.object(value, "a material", &["subject", "file", "set"])?;
+    let object = section(reader, value, &MATERIAL)?;
     let subject = object.optional("subject").map(|value| reader.boolean(value, "`subject`"));
     if let (None, Some(file)) = (subject, object.optional("file")) {
         return graph_file(reader, &object, file, "`file` of a material", folder);

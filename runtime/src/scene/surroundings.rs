@@ -7,20 +7,19 @@ use std::sync::Arc;
 use phenomenon_compiler::diagnostics::{Code, Finding};
 use phenomenon_compiler::document::{Object, Reader, Value, ValueKind};
 use phenomenon_compiler::graph::RootKind;
+use phenomenon_compiler::schema::{
+    CAMERA, COORDINATES, DIRECTIONAL, ENVIRONMENT, GRADIENT, LIGHT, LIGHT_SOURCE, POINT,
+};
 
 use super::description::{EnvironmentDescription, GraphUse};
-use super::file::{COORDINATES, vector};
+use super::file::{section, vector};
 use super::objects::{file_path, graph_file};
 use crate::camera::Camera;
 use crate::film::{self, FilmError};
 use crate::lights::{Environment, EnvironmentImage, Light, LightKind};
 
-/// What colours and intensities of light may be.
-const LIGHT: std::ops::RangeInclusive<f64> = 0.0..=1e12;
-
 pub(super) fn camera<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Camera> {
-    let keys = ["position", "look_at", "up", "field_of_view"];
-    let object = reader.object(value, "the camera", &keys)?;
+    let object = section(reader, value, &CAMERA)?;
     let position = vector(reader, &object, "position");
     let look_at = vector(reader, &object, "look_at");
     let up = match object.optional("up") {
@@ -65,8 +64,7 @@ pub(super) fn lights<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Ve
 }
 
 fn light<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Light> {
-    let keys = ["name", "point", "directional", "color", "intensity"];
-    let object = reader.object(value, "a light", &keys)?;
+    let object = section(reader, value, &LIGHT_SOURCE)?;
     let name = object.required(reader, "name").and_then(|name| reader.string(name, "`name`"));
     let color = match object.optional("color") {
         Some(value) => reader.numbers(value, "`color` of a light", LIGHT),
@@ -78,13 +76,13 @@ fn light<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Light> {
     };
     let kind = match (object.optional("point"), object.optional("directional")) {
         (Some(point), None) => {
-            let object = reader.object(point, "a point light", &["position"]);
+            let object = section(reader, point, &POINT);
             object
                 .and_then(|object| vector(reader, &object, "position"))
                 .map(|position| LightKind::Point { position: position.map(|x| x as f32) })
         }
         (None, Some(sun)) => {
-            let object = reader.object(sun, "a directional light", &["direction"]);
+            let object = section(reader, sun, &DIRECTIONAL);
             let direction = object.and_then(|object| vector(reader, &object, "direction"));
             if direction == Some([0.0; 3]) {
                 let message = "a directional light needs a direction that is not zero";
@@ -110,8 +108,7 @@ pub(super) fn environment<'d>(
     folder: &Path,
     uses: &mut Vec<GraphUse>,
 ) -> Option<EnvironmentDescription> {
-    let keys = ["color", "gradient", "image", "intensity", "rotation", "file", "set"];
-    let object = reader.object(value, "the environment", &keys)?;
+    let object = section(reader, value, &ENVIRONMENT)?;
     let kinds = ["color", "gradient", "image", "file"];
     let given: Vec<&str> =
         kinds.into_iter().filter(|kind| object.optional(kind).is_some()).collect();
@@ -155,7 +152,7 @@ pub(super) fn environment<'d>(
 }
 
 fn gradient<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Environment> {
-    let object = reader.object(value, "the gradient", &["zenith", "horizon", "ground"])?;
+    let object = section(reader, value, &GRADIENT)?;
     let mut color = |key: &str| {
         let value = object.required(reader, key)?;
         let color: [f64; 3] = reader.numbers(value, &format!("`{key}`"), LIGHT)?;

@@ -1,0 +1,198 @@
+//! What is known about the keys of a file: from it come the schema, the reference page, the lists of keys the reader
+//! knows, and completion in editors.
+
+use std::ops::RangeInclusive;
+
+/// An object of a file, with the keys it may have.
+#[derive(Debug)]
+pub struct Section {
+    /// A word for it: `camera`.
+    pub name: &'static str,
+    /// What findings call it: "the camera".
+    pub what: &'static str,
+    /// Its keys, in the order of the reference page.
+    pub keys: &'static [Key],
+    /// Keys of which exactly one is given; empty where there is no such choice.
+    pub one_of: &'static [&'static str],
+}
+
+/// A key of an object.
+#[derive(Debug)]
+pub struct Key {
+    /// The key.
+    pub name: &'static str,
+    /// What its value is.
+    pub kind: Kind,
+    /// Whether it must be given, and what holds where it is not.
+    pub given: Given,
+    /// The unit of its numbers; empty where there is none.
+    pub unit: &'static str,
+    /// What it means, in Markdown, without a full stop.
+    pub doc: &'static str,
+}
+
+/// Whether a key must be given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Given {
+    /// It must.
+    Required,
+    /// It is one of the keys of which exactly one is given.
+    Choice,
+    /// Nothing holds where it is not given.
+    Optional,
+    /// This JSON text holds where it is not given.
+    Default(&'static str),
+}
+
+/// What the value of a key is.
+#[derive(Debug)]
+pub enum Kind {
+    /// Any string.
+    Text,
+    /// The path of a file, from the folder of the file that names it.
+    File,
+    /// One of a few words.
+    Word(&'static [&'static str]),
+    /// `true` and nothing else.
+    True,
+    /// A whole number.
+    Whole(RangeInclusive<i128>),
+    /// A number.
+    Number(RangeInclusive<f64>),
+    /// So many values of one kind in a list.
+    Several(&'static Kind, RangeInclusive<usize>),
+    /// One of two kinds.
+    Either(&'static Kind, &'static Kind),
+    /// An object with known keys.
+    Object(&'static Section),
+    /// A list of objects with known keys.
+    Objects(&'static Section),
+    /// Values of a graph's parameters, by name.
+    Settings,
+    /// Anything.
+    Anything,
+}
+
+impl Section {
+    /// The names of its keys.
+    pub fn names(&self) -> Vec<&'static str> {
+        self.keys.iter().map(|key| key.name).collect()
+    }
+
+    /// The key of that name.
+    pub fn key(&self, name: &str) -> Option<&'static Key> {
+        self.keys.iter().find(|key| key.name == name)
+    }
+
+    /// It and all sections below it, each before those it holds.
+    pub fn all(&'static self) -> Vec<&'static Section> {
+        let mut all = vec![self];
+        let mut at = 0;
+        while let Some(section) = all.get(at) {
+            let inner: Vec<_> = section.keys.iter().filter_map(|key| key.kind.section()).collect();
+            all.extend(inner);
+            at += 1;
+        }
+        all
+    }
+}
+
+impl Kind {
+    /// The section of an object, or of the objects of a list.
+    pub fn section(&self) -> Option<&'static Section> {
+        match self {
+            Kind::Object(section) | Kind::Objects(section) => Some(section),
+            _ => None,
+        }
+    }
+
+    /// What it is, in Markdown: "three numbers".
+    pub fn described(&self) -> String {
+        match self {
+            Kind::Text => "string".into(),
+            Kind::File => "path of a file".into(),
+            Kind::Word(words) => {
+                let words: Vec<String> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
+                words.join(" or ")
+            }
+            Kind::True => "`true`".into(),
+            Kind::Whole(_) => "whole number".into(),
+            Kind::Number(_) => "number".into(),
+            Kind::Several(of, count) => {
+                let count = match (count.start(), count.end()) {
+                    (least, most) if least == most => counted(*most),
+                    (least, most) => format!("{} to {}", counted(*least), counted(*most)),
+                };
+                format!("{count} {}s", of.described())
+            }
+            Kind::Either(one, other) => format!("{}, or {}", one.described(), other.described()),
+            Kind::Object(_) => "object".into(),
+            Kind::Objects(_) => "list of objects".into(),
+            Kind::Settings => "values by name".into(),
+            Kind::Anything => "anything".into(),
+        }
+    }
+
+    /// The range of its numbers as text; empty where it has none.
+    pub fn range(&self) -> String {
+        match self {
+            Kind::Whole(range) => format!("{} to {}", whole(*range.start()), whole(*range.end())),
+            Kind::Number(range) => {
+                format!("{} to {}", number(*range.start()), number(*range.end()))
+            }
+            Kind::Several(of, _) => of.range(),
+            Kind::Either(one, other) => match (one.range(), other.range()) {
+                (one, other) if one == other => one,
+                (one, other) => format!("{one}, or {other}"),
+            },
+            _ => String::new(),
+        }
+    }
+}
+
+fn counted(count: usize) -> String {
+    match count {
+        1 => "one".into(),
+        2 => "two".into(),
+        3 => "three".into(),
+        12 => "twelve".into(),
+        other => other.to_string(),
+    }
+}
+
+/// A number as short as it can be written.
+fn number(number: f64) -> String {
+    let (plain, short) = (number.to_string(), format!("{number:e}"));
+    if short.len() < plain.len() { short } else { plain }
+}
+
+/// A whole number, its digits in groups of three.
+fn whole(number: i128) -> String {
+    let digits = number.unsigned_abs().to_string();
+    let mut text = String::from(if number < 0 { "-" } else { "" });
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!([-1e12, 0.001, 179.0].map(number), ["-1e12", "1e-3", "179"]);
+        assert_eq!([-1_234_567, 999].map(whole), ["-1,234,567", "999"]);
+    }
+
+    #[test]
+    fn kinds_are_described() {
+        let kind = Kind::Either(&Kind::Whole(0..=5), &Kind::Several(&Kind::Whole(0..=9), 1..=3));
+        assert_eq!(kind.described(), "whole number, or one to three whole numbers");
+        assert_eq!(kind.range(), "0 to 5, or 0 to 9");
+    }
+}
