@@ -7,6 +7,7 @@ mod failure;
 mod graphs;
 mod inputs;
 mod numbers;
+mod ours;
 mod outputs;
 mod report;
 mod scenes;
@@ -65,8 +66,8 @@ fn main() -> ExitCode {
             let given: Vec<String> =
                 std::env::args_os().skip(1).map(|it| it.to_string_lossy().into_owned()).collect();
             let error = arguments::explained(error, &grammar(), &given);
-            // A closed pipe is no reason to complain; help goes to standard output with code 0.
-            let _ = error.print();
+            // Help goes to standard output with code 0.
+            terminal::answer(&error);
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };

@@ -12,6 +12,6 @@ pub struct Arguments {}
 
 /// Runs the command.
 pub fn run(_: &Arguments) -> Result<Outcome, Failure> {
-    terminal::print(&file_schema(&NodeLibrary::standard()))?;
+    terminal::print_exactly(&file_schema(&NodeLibrary::standard()))?;
     Ok(Outcome::Fine)
 }

@@ -1,5 +1,6 @@
 //! Findings as text, in the formats of `check`.
 
+mod excerpt;
 mod github;
 mod human;
 mod json;
@@ -7,6 +8,9 @@ mod sarif;
 
 use clap::ValueEnum;
 use phenomenon_compiler::diagnostics::{Finding, SHOWN_FINDINGS, Severity};
+
+use crate::failure::Failure;
+use crate::terminal::{self, Look, Stream};
 
 pub use human::tell;
 
@@ -48,13 +52,17 @@ impl Report {
         Self { shown: shown.map(|(finding, _)| finding).collect(), omitted: omitted + hidden }
     }
 
-    /// The report as text; `color` asks for terminal colours where the format knows them.
-    pub fn text(&self, format: Format, color: bool) -> String {
+    /// Writes the report to standard output.
+    ///
+    /// # Errors
+    /// Standard output cannot be written to.
+    pub fn print(&self, format: Format) -> Result<(), Failure> {
         match format {
-            Format::Human => human::text(self, color),
-            Format::Json => json::text(self),
-            Format::Sarif => sarif::text(self),
-            Format::Github => github::text(self),
+            Format::Human => terminal::print_drawn(&human::text(self, &Look::of(Stream::Output))),
+            Format::Json => terminal::print_exactly(&json::text(self)),
+            Format::Sarif => terminal::print_exactly(&sarif::text(self)),
+            // A log of people, coloured by what it finds in it.
+            Format::Github => terminal::print(&github::text(self)),
         }
     }
 

@@ -11,4 +11,5 @@ mod program;
 mod readme;
 mod render;
 mod show;
+mod terminal;
 mod usage;

@@ -1,5 +1,6 @@
 //! Files and places in them.
 
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 /// Bytes between two entries of [`Index::characters`].
@@ -47,6 +48,16 @@ impl SourceFile {
         let line = index.line_starts.partition_point(|&start| start <= byte);
         let start = index.line_starts[line - 1];
         (line, self.characters_before(byte) - self.characters_before(start) + 1)
+    }
+
+    /// The bytes of a line, from 1, without its line break; empty past the last one.
+    pub fn line(&self, number: usize) -> Range<usize> {
+        let starts = &self.index().line_starts;
+        let end = self.text.len();
+        let start = starts.get(number.wrapping_sub(1)).copied().unwrap_or(end);
+        // Before the start of the next line stands its line break.
+        let end = starts.get(number).map_or(end, |next| next - 1);
+        start..start + self.text[start..end.max(start)].trim_end_matches('\r').len()
     }
 
     fn index(&self) -> &Index {
@@ -132,6 +143,12 @@ mod tests {
                 assert_eq!(file.line_column(start + at), (line + 1, column + 1));
             }
         }
+        assert_eq!(&text[file.line(1)], "é😀");
+        assert_eq!(file.line(2), 8..text.len() - 1);
+        assert_eq!(
+            [file.line(3), file.line(4), file.line(0)],
+            [0, 1, 2].map(|_| text.len()..text.len())
+        );
         let end = (3, 1);
         assert_eq!((file.line_column(text.len()), file.line_column(usize::MAX)), (end, end));
         assert_eq!(SourceFile::new("", "").line_column(9), (1, 1));

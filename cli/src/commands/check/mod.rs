@@ -5,7 +5,6 @@ mod scene;
 pub use scene::check as check_scene;
 
 use std::collections::{BTreeMap, HashSet};
-use std::io::IsTerminal;
 use std::path::PathBuf;
 
 use phenomenon_compiler::check::{Checked, OnDisk, check_graph};
@@ -18,7 +17,6 @@ use crate::failure::{Failure, Outcome};
 use crate::inputs::{self, Input};
 use crate::outputs;
 use crate::report::{Format, Report};
-use crate::terminal;
 
 /// Says all that is wrong in graphs and scenes.
 #[derive(Debug, clap::Args)]
@@ -109,8 +107,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         .any(|finding| finding.code == Code::UNREADABLE_FILE && finding.place.file.text.is_empty());
     // What is omitted is no error unless as many errors are kept.
     let wrong = findings.iter().any(|finding| finding.severity == Severity::Error);
-    let color = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    terminal::print(&Report::new(findings, omitted).text(arguments.format, color))?;
+    Report::new(findings, omitted).print(arguments.format)?;
     Ok(match (unreadable || !found.failures.is_empty(), wrong) {
         (true, _) => Outcome::Unreadable,
         (_, true) => Outcome::Found,

@@ -96,10 +96,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Some(path) => point.node(&graph, path)?,
         None => point.root(&graph, arguments.root)?,
     };
-    terminal::print(&match arguments.format {
-        Format::Human => evaluation.human(),
-        Format::Json => evaluation.json(),
-    })?;
+    match arguments.format {
+        Format::Human => terminal::print(&evaluation.human()),
+        Format::Json => terminal::print_exactly(&evaluation.json()),
+    }?;
     Ok(Outcome::Fine)
 }
 

@@ -66,13 +66,12 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Ok(Outcome::Fine);
     }
     let subject = subject(&library, arguments.name.as_deref())?;
-    let text = match (&subject, arguments.format) {
-        (Subject::Node(node), Format::Human) => human::node(node),
-        (Subject::Node(node), Format::Json) => json::node(node),
-        (Subject::Groups(groups), Format::Human) => human::groups(groups),
-        (Subject::Groups(groups), Format::Json) => json::groups(groups),
-    };
-    terminal::print(&text)?;
+    match (&subject, arguments.format) {
+        (Subject::Node(node), Format::Human) => terminal::print(&human::node(node)),
+        (Subject::Node(node), Format::Json) => terminal::print_exactly(&json::node(node)),
+        (Subject::Groups(groups), Format::Human) => terminal::print(&human::groups(groups)),
+        (Subject::Groups(groups), Format::Json) => terminal::print_exactly(&json::groups(groups)),
+    }?;
     Ok(Outcome::Fine)
 }
 
