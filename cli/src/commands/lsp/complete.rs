@@ -3,12 +3,15 @@
 use phenomenon_compiler::document::Member;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::schema::{Key, Kind};
 use serde_json::{Value, json};
 
 use super::cursor::Cursor;
 use super::file::OpenFile;
 use super::open_files::OpenFiles;
-use super::parts::{Part, members, parts_of, text};
+use super::parts::{Part, members, of_phenomenon, parts_of, text};
+use super::scene_keys::{self, Spot};
+use crate::ours::Ours;
 
 /// Kinds of completions, as the protocol numbers them.
 const FIELD: u8 = 5;
@@ -23,6 +26,7 @@ pub fn complete(
     library: &NodeLibrary,
     files: &OpenFiles,
 ) -> Vec<Value> {
+    let Some(ours) = file.ours else { return Vec::new() };
     let cursor = Cursor::after(&file.text()[..at]);
     let path: Vec<&str> = cursor.path.iter().map(String::as_str).collect();
     let item = |label: &str, kind: u8, detail: &str, doc: &str| {
@@ -37,10 +41,20 @@ pub fn complete(
         let parts = parts.unwrap_or_default();
         parts.iter().map(|part| item(&part.name, FIELD, &part.of, &part.doc)).collect()
     };
+    if ours == Ours::Scene {
+        return in_scene(file, &cursor, &path, files, &item);
+    }
     match (path.as_slice(), cursor.at_key) {
-        ([], true) => {
-            words(&["phenomenon", "version", "doc", "requires", "interface", "nodes", "roots"])
-        }
+        ([], true) => words(&[
+            "phenomenon",
+            "format",
+            "version",
+            "doc",
+            "requires",
+            "interface",
+            "nodes",
+            "roots",
+        ]),
         (["nodes", _], true) => words(&["type", "inputs", "doc", "version"]),
         (["interface", _], true) => words(&[
             "type", "default", "min", "max", "soft_min", "soft_max", "unit", "doc", "values",
@@ -74,6 +88,35 @@ pub fn complete(
             parameters.map(|it| item(&it.key, VARIABLE, &of(it), &doc(it))).collect()
         }
         (["nodes", _, "inputs", _] | ["roots", _], true) => words(&["node", "output", "interface"]),
+        _ => Vec::new(),
+    }
+}
+
+/// Completions in a scene: its keys, the words they take, and the parameters of the graphs it uses.
+fn in_scene(
+    file: &OpenFile,
+    cursor: &Cursor,
+    path: &[&str],
+    files: &OpenFiles,
+    item: &dyn Fn(&str, u8, &str, &str) -> Value,
+) -> Vec<Value> {
+    match (scene_keys::spot(path), cursor.at_key) {
+        (Some(Spot::Section(section)), true) => {
+            let of = |key: &Key| {
+                item(key.name, PROPERTY, &scene_keys::detail(key), &scene_keys::doc(key))
+            };
+            section.keys.iter().map(of).collect()
+        }
+        (Some(Spot::Value(key)), false) => match key.kind {
+            Kind::Word(words) => words.iter().map(|word| item(word, VARIABLE, "", "")).collect(),
+            _ => Vec::new(),
+        },
+        (Some(Spot::Settings), true) => {
+            let graph = cursor.around.last().and_then(|material| material.get("file"));
+            let parts = graph.and_then(|graph| of_phenomenon(file, graph, files));
+            let inputs = parts.map(|parts| parts.inputs).unwrap_or_default();
+            inputs.iter().map(|it| item(&it.name, FIELD, &it.of, &it.doc)).collect()
+        }
         _ => Vec::new(),
     }
 }

@@ -4,23 +4,29 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use phenomenon_compiler::check::{Files, OnDisk, check_graph_with};
+use phenomenon_compiler::check::check_graph_with;
 use phenomenon_compiler::diagnostics::{Finding, Place, Related, Severity, SourceFile};
 use phenomenon_compiler::document::{self, Document, ValueKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::scene::is_scene;
 use serde_json::{Value, json};
 
+use super::address::{names_of, path_of, uri_of};
+use super::in_editor::InEditor;
 use crate::commands::check::check_scene;
+use crate::ours::Ours;
 
 /// A file, its findings, and the last form of it that was JSON.
 pub struct OpenFile {
     uri: String,
+    path: PathBuf,
     source: Arc<SourceFile>,
     findings: Vec<Finding>,
-    /// The one path of the file.
-    pub identity: PathBuf,
-    /// The paths of the files it uses.
+    /// What it is; none where it is none of ours.
+    pub ours: Option<Ours>,
+    /// The paths it may be known by.
+    pub names: [PathBuf; 2],
+    /// The paths of all files it uses, whether they exist or not.
     pub used: HashSet<PathBuf>,
     /// What was JSON last; while one types the file mostly is not.
     pub document: Option<Document>,
@@ -28,36 +34,55 @@ pub struct OpenFile {
 
 impl OpenFile {
     /// Reads and checks the text of a file; `before` is what it was, and `files` where those it uses
-    /// are found.
+    /// are found. What is none of ours is left alone; what was ours stays so while one types.
     pub fn read(
         uri: &str,
         text: &str,
         before: Option<OpenFile>,
         library: &NodeLibrary,
-        files: &dyn Files,
+        files: &InEditor<'_>,
     ) -> Self {
         let path = path_of(uri);
-        let (document, findings) =
-            match document::read(&path.display().to_string(), text.as_bytes()) {
-                Ok(document) => {
-                    let findings = if is_scene(&document) {
-                        let folder = path.parent().unwrap_or(Path::new(""));
-                        check_scene(&document, folder, library, files)
-                    } else {
-                        check_graph_with(&document, library, files)
-                    };
-                    (Some(document), findings.findings)
-                }
-                Err(finding) => (before.and_then(|before| before.document), vec![*finding]),
-            };
-        let source = Arc::new(SourceFile::new(path.display().to_string(), text));
-        let identity = OnDisk.identity(&path);
-        Self { uri: uri.into(), source, findings, identity, used: HashSet::new(), document }
+        let name = path.display().to_string();
+        let read = document::read(&name, text.as_bytes());
+        let now = match &read {
+            Ok(document) => Ours::of(document),
+            Err(_) => Ours::of_text(text),
+        };
+        let ours = now.or(before.as_ref().and_then(|before| before.ours));
+        let (document, findings) = match read {
+            _ if ours.is_none() => (None, Vec::new()),
+            Ok(document) => {
+                let findings = if is_scene(&document) {
+                    let folder = path.parent().unwrap_or(Path::new(""));
+                    check_scene(&document, folder, library, files)
+                } else {
+                    check_graph_with(&document, library, files)
+                };
+                (Some(document), findings.findings)
+            }
+            Err(finding) => (before.and_then(|before| before.document), vec![*finding]),
+        };
+        let mut used = files.used();
+        if let Some(document) = &document {
+            let folder = path.parent().unwrap_or(Path::new(""));
+            for file in named_files(&document.root) {
+                used.extend(names_of(&folder.join(file)));
+            }
+        }
+        let source = Arc::new(SourceFile::new(name, text));
+        let names = names_of(&path);
+        Self { uri: uri.into(), path, source, findings, ours, names, used, document }
     }
 
     /// Its path, from its address.
     pub fn path(&self) -> &Path {
-        Path::new(&self.source.name)
+        &self.path
+    }
+
+    /// Whether it uses the file with these names, or one in the folder with them.
+    pub fn uses(&self, names: &[PathBuf; 2]) -> bool {
+        self.used.iter().any(|used| names.iter().any(|name| used.starts_with(name)))
     }
 
     /// The text as it is now.
@@ -102,7 +127,7 @@ impl OpenFile {
         let related = finding.related.iter().map(|related| {
             let uri = match related.place.file.name == self.source.name {
                 true => self.uri.clone(),
-                false => format!("file://{}", related.place.file.name),
+                false => self.uri_of(&related.place.file.name),
             };
             json!({
                 "location": { "uri": uri, "range": self::range(&related.place) },
@@ -121,6 +146,12 @@ impl OpenFile {
             "message": message,
             "relatedInformation": related.collect::<Vec<Value>>(),
         })
+    }
+
+    /// The address of a file it uses, from the name findings give it: names are Unicode, paths need not be.
+    fn uri_of(&self, name: &str) -> String {
+        let known = self.used.iter().find(|path| path.display().to_string() == name);
+        uri_of(known.map_or(Path::new(name), PathBuf::as_path))
     }
 
     /// Where this file uses the one a finding is in: the place itself is in another file. At the top
@@ -170,25 +201,29 @@ fn position(file: &SourceFile, byte: usize) -> Value {
     json!({ "line": line - 1, "character": file.text[start..byte].encode_utf16().count() })
 }
 
-/// The path of a `file:` address, its escapes undone; another address as it is.
-pub fn path_of(uri: &str) -> PathBuf {
-    let Some(escaped) = uri.strip_prefix("file://") else { return PathBuf::from(uri) };
-    let mut bytes = Vec::with_capacity(escaped.len());
-    let mut rest = escaped.as_bytes();
-    while let Some((&byte, tail)) = rest.split_first() {
-        let escape = tail.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
-        match escape.and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
-            Some(escaped) if byte == b'%' => {
-                bytes.push(escaped);
-                rest = &tail[2..];
+/// Files that are named in a document and read as they are: meshes and pictures.
+fn named_files(value: &document::Value) -> Vec<&str> {
+    let mut files = Vec::new();
+    let mut pending = vec![value];
+    while let Some(value) = pending.pop() {
+        match &value.kind {
+            ValueKind::Array(elements) => pending.extend(elements),
+            ValueKind::Object(members) => {
+                for member in members {
+                    match &member.value.kind {
+                        ValueKind::String(file)
+                            if ["mesh", "image", "texture"].contains(&member.key.as_str()) =>
+                        {
+                            files.push(file.as_str());
+                        }
+                        _ => pending.push(&member.value),
+                    }
+                }
             }
-            _ => {
-                bytes.push(byte);
-                rest = tail;
-            }
+            _ => {}
         }
     }
-    PathBuf::from(String::from_utf8_lossy(&bytes).into_owned())
+    files
 }
 
 #[cfg(test)]
@@ -196,16 +231,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn addresses_become_paths() {
-        assert_eq!(path_of("file:///a%20b/%C3%A9.json"), PathBuf::from("/a b/é.json"));
-        assert_eq!(path_of("file:///100%"), PathBuf::from("/100%"));
-        assert_eq!(path_of("untitled:1"), PathBuf::from("untitled:1"));
-    }
-
-    #[test]
     fn positions_count_in_utf_16() {
         let library = NodeLibrary::standard();
-        let file = OpenFile::read("file:///a.json", "{\n\"😀é\": 1 }", None, &library, &OnDisk);
+        let files = InEditor::default();
+        let file = OpenFile::read("file:///a.json", "{\n\"😀é\": 1 }", None, &library, &files);
         let at = |line: u64, character: u64| {
             file.byte_of(&json!({ "line": line, "character": character }))
         };

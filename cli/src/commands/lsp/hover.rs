@@ -1,11 +1,14 @@
 //! The docs of what is under the pointer.
 
 use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::schema::Key;
 use serde_json::{Value, json};
 
 use super::file::OpenFile;
 use super::open_files::OpenFiles;
 use super::parts::{Part, Parts, members, parts_of, text};
+use super::scene_keys;
+use crate::ours::Ours;
 
 /// What there is to say about a byte of the file; null for nothing.
 pub fn hover(file: &OpenFile, at: usize, library: &NodeLibrary, files: &OpenFiles) -> Value {
@@ -15,8 +18,14 @@ pub fn hover(file: &OpenFile, at: usize, library: &NodeLibrary, files: &OpenFile
     };
     let place = document.place_of_bytes(at, at);
     let path: Vec<&str> = place.path.split('.').collect();
+    if file.ours == Some(Ours::Scene) {
+        // Where something stands in a list says nothing of its key.
+        let keys: Vec<&str> =
+            path.iter().map(|key| key.split('[').next().unwrap_or_default()).collect();
+        return told(scene_keys::key(&keys).map(of_key));
+    }
     let parts = |node: &str| parts_of(file, node, None, library, files);
-    let told = match path.as_slice() {
+    told(match path.as_slice() {
         ["nodes", .., "node" | "output"] | ["roots", .., "node" | "output"] => {
             let connection = innermost(&document.root, at);
             let node = connection.and_then(|connection| text(connection, "node"));
@@ -35,11 +44,18 @@ pub fn hover(file: &OpenFile, at: usize, library: &NodeLibrary, files: &OpenFile
         }
         ["interface", name, ..] => parameter(file, name),
         _ => None,
-    };
+    })
+}
+
+fn told(told: Option<String>) -> Value {
     match told {
         Some(told) => json!({ "contents": { "kind": "markdown", "value": told } }),
         None => Value::Null,
     }
+}
+
+fn of_key(key: &Key) -> String {
+    format!("`{}` {}\n\n{}", key.name, scene_keys::detail(key), scene_keys::doc(key))
 }
 
 /// The innermost object round a byte.

@@ -1,16 +1,19 @@
 //! `phenomenon lsp`: a language server, so that editors show findings while one types.
 
+mod address;
 mod complete;
 mod cursor;
 mod file;
 mod hover;
+mod in_editor;
 mod open_files;
 mod parts;
+mod scene_keys;
 mod transport;
 
 use std::io;
 
-use lsp_server::{ErrorCode, Message, Notification, Request, Response};
+use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response};
 use phenomenon_compiler::nodes::NodeLibrary;
 use serde_json::{Value, json};
 
@@ -33,6 +36,7 @@ pub fn run(_: &Arguments) -> Result<Outcome, Failure> {
         library: NodeLibrary::standard(),
         files: OpenFiles::default(),
         stage: Stage::Greeting,
+        watches: false,
     };
     loop {
         let answers = match transport::receive(&mut input).map_err(broken)? {
@@ -68,34 +72,45 @@ struct Server {
     library: NodeLibrary,
     files: OpenFiles,
     stage: Stage,
+    /// Whether the editor watches files for those who ask it to.
+    watches: bool,
 }
 
 impl Server {
-    /// Takes note of an opened, changed or closed file, and yields its findings, and those of the
-    /// open files that use it.
+    /// Takes note of an opened, changed, saved or closed file, or of changes on disk, and yields the findings of the
+    /// open files that it concerns.
     fn note(&mut self, notification: &Notification) -> Vec<Message> {
         if self.stage != Stage::Working {
             return Vec::new();
         }
         let params = &notification.params;
-        let Some(uri) = params["textDocument"]["uri"].as_str() else { return Vec::new() };
-        let text = match notification.method.as_str() {
-            "textDocument/didOpen" => params["textDocument"]["text"].as_str(),
-            "textDocument/didChange" => params["contentChanges"]
-                .as_array()
-                .and_then(|changes| changes.last())
-                .and_then(|change| change["text"].as_str()),
-            "textDocument/didClose" => {
-                let mut answers = vec![findings_of(uri, Vec::new())];
-                let users = self.files.close(uri, &self.library);
-                answers
-                    .extend(users.into_iter().map(|(uri, findings)| findings_of(&uri, findings)));
-                return answers;
+        let library = &self.library;
+        let uri = params["textDocument"]["uri"].as_str();
+        let changed = match (notification.method.as_str(), uri) {
+            ("initialized", _) if self.watches => return vec![watch_files()],
+            ("workspace/didChangeWatchedFiles", _) => {
+                let changes = params["changes"].as_array().map_or(&[][..], Vec::as_slice);
+                let uris: Vec<&str> =
+                    changes.iter().filter_map(|change| change["uri"].as_str()).collect();
+                self.files.changed_on_disk(&uris, library)
             }
-            _ => None,
+            ("textDocument/didOpen", Some(uri)) => {
+                let text = params["textDocument"]["text"].as_str();
+                text.map_or(Vec::new(), |text| self.files.change(uri, text, library))
+            }
+            ("textDocument/didChange", Some(uri)) => {
+                let changes = params["contentChanges"].as_array();
+                let text = changes.and_then(|all| all.last()).and_then(|it| it["text"].as_str());
+                text.map_or(Vec::new(), |text| self.files.change(uri, text, library))
+            }
+            ("textDocument/didSave", Some(uri)) => self.files.saved(uri, library),
+            ("textDocument/didClose", Some(uri)) => {
+                let mut changed = vec![(uri.to_owned(), Vec::new())];
+                changed.extend(self.files.close(uri, library));
+                changed
+            }
+            _ => Vec::new(),
         };
-        let Some(text) = text else { return Vec::new() };
-        let changed = self.files.change(uri, text, &self.library);
         changed.into_iter().map(|(uri, findings)| findings_of(&uri, findings)).collect()
     }
 
@@ -105,6 +120,8 @@ impl Server {
         match (self.stage, request.method.as_str()) {
             (Stage::Greeting, "initialize") => {
                 self.stage = Stage::Working;
+                let watched = "/capabilities/workspace/didChangeWatchedFiles/dynamicRegistration";
+                self.watches = request.params.pointer(watched) == Some(&Value::Bool(true));
                 Response::new_ok(request.id, capabilities())
             }
             (Stage::Greeting, _) => {
@@ -151,12 +168,26 @@ fn capabilities() -> Value {
     json!({
         "capabilities": {
             // Whole files: they are small, and are read anew with every change anyway.
-            "textDocumentSync": 1,
+            "textDocumentSync": { "openClose": true, "change": 1, "save": true },
             "completionProvider": { "triggerCharacters": ["\"", ":", " "] },
             "hoverProvider": true,
         },
         "serverInfo": { "name": "phenomenon", "version": env!("CARGO_PKG_VERSION") },
     })
+}
+
+/// Asks the editor to tell of changes on disk: of graphs and scenes, and of what they are made of.
+fn watch_files() -> Message {
+    let watchers = ["json", "obj", "png", "jpg", "jpeg", "exr", "hdr"]
+        .map(|ending| json!({ "globPattern": format!("**/*.{ending}") }));
+    let registration = json!({
+        "id": "files",
+        "method": "workspace/didChangeWatchedFiles",
+        "registerOptions": { "watchers": watchers },
+    });
+    let params = json!({ "registrations": [registration] });
+    let id = RequestId::from("watch-files".to_owned());
+    Request::new(id, "client/registerCapability".into(), params).into()
 }
 
 fn findings_of(uri: &str, diagnostics: Vec<Value>) -> Message {

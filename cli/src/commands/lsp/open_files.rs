@@ -1,22 +1,22 @@
 //! The files open in the editor. Files they use are read from the editor too, where they are open
 //! there: what one types counts before it is saved.
 
-use std::cell::RefCell;
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use phenomenon_compiler::check::{Files, OnDisk};
-use phenomenon_compiler::diagnostics::Finding;
-use phenomenon_compiler::document::{self, Document};
+use phenomenon_compiler::document::Document;
 use phenomenon_compiler::nodes::NodeLibrary;
 use serde_json::Value;
 
-use super::file::{OpenFile, path_of};
+use super::address::{names_of, path_of};
+use super::file::OpenFile;
+use super::in_editor::InEditor;
 
 /// Findings for a file, by its address.
 type Findings = (String, Vec<Value>);
 
-/// The open files, by address.
+/// The open files, by address. Nothing is kept of files that are closed.
 #[derive(Default)]
 pub struct OpenFiles {
     files: BTreeMap<String, OpenFile>,
@@ -30,8 +30,9 @@ impl OpenFiles {
 
     /// The file at a path: as it was JSON last in the editor, or else as it is on disk.
     pub fn document(&self, path: &Path) -> Option<Document> {
-        let identity = OnDisk.identity(path);
-        match self.files.values().find(|file| file.identity == identity) {
+        let names = names_of(path);
+        let known = |file: &&OpenFile| file.names.iter().any(|name| names.contains(name));
+        match self.files.values().find(known) {
             Some(file) => file.document.clone(),
             None => OnDisk.read(path).ok(),
         }
@@ -41,14 +42,28 @@ impl OpenFiles {
     pub fn change(&mut self, uri: &str, text: &str, library: &NodeLibrary) -> Vec<Findings> {
         let before = self.files.remove(uri);
         let mut findings = vec![self.check(uri, text, before, library)];
-        findings.extend(self.check_users(uri, library));
+        findings.extend(self.check_users(&[path_of(uri)], Some(uri), library));
         findings
     }
 
     /// Forgets a file; yields the findings of the files that use it, now as it is on disk.
     pub fn close(&mut self, uri: &str, library: &NodeLibrary) -> Vec<Findings> {
         self.files.remove(uri);
-        self.check_users(uri, library)
+        self.check_users(&[path_of(uri)], Some(uri), library)
+    }
+
+    /// A file was saved. What it uses may have changed as well, where the editor watches nothing: yields its findings
+    /// and those of the files that use it.
+    pub fn saved(&mut self, uri: &str, library: &NodeLibrary) -> Vec<Findings> {
+        let mut findings: Vec<Findings> = self.check_again(uri, library).into_iter().collect();
+        findings.extend(self.check_users(&[path_of(uri)], Some(uri), library));
+        findings
+    }
+
+    /// Files were made, changed or removed on disk; yields the findings of the open files that use one of them.
+    pub fn changed_on_disk(&mut self, uris: &[&str], library: &NodeLibrary) -> Vec<Findings> {
+        let paths: Vec<PathBuf> = uris.iter().map(|uri| path_of(uri)).collect();
+        self.check_users(&paths, None, library)
     }
 
     fn check(
@@ -58,58 +73,35 @@ impl OpenFiles {
         before: Option<OpenFile>,
         library: &NodeLibrary,
     ) -> Findings {
-        let texts = self.files.values().map(|file| (file.identity.clone(), file.text())).collect();
-        let in_editor = InEditor { texts, used: RefCell::default() };
-        let mut file = OpenFile::read(uri, text, before, library, &in_editor);
-        file.used = in_editor.used.into_inner();
+        let texts = self
+            .files
+            .values()
+            .flat_map(|file| file.names.iter().map(move |name| (name.clone(), file.text())));
+        let in_editor = InEditor::new(&path_of(uri), texts);
+        let file = OpenFile::read(uri, text, before, library, &in_editor);
         let findings = file.diagnostics();
         self.files.insert(uri.to_owned(), file);
         (uri.to_owned(), findings)
     }
 
-    fn check_users(&mut self, uri: &str, library: &NodeLibrary) -> Vec<Findings> {
-        let changed = OnDisk.identity(&path_of(uri));
-        let uses = |(_, file): &(&String, &OpenFile)| file.used.contains(&changed);
-        let users: Vec<String> = self
-            .files
-            .iter()
-            .filter(uses)
-            .map(|(user, _)| user.clone())
-            .filter(|user| user != uri)
-            .collect();
-        users
-            .into_iter()
-            .filter_map(|user| {
-                let before = self.files.remove(&user)?;
-                let text = before.text().to_owned();
-                Some(self.check(&user, &text, Some(before), library))
-            })
-            .collect()
-    }
-}
-
-/// Files as the editor has them, or else as they are on disk.
-struct InEditor<'a> {
-    texts: BTreeMap<PathBuf, &'a str>,
-    /// What was asked for.
-    used: RefCell<HashSet<PathBuf>>,
-}
-
-impl Files for InEditor<'_> {
-    fn read(&self, path: &Path) -> Result<Document, Box<Finding>> {
-        match self.texts.get(&self.identity(path)) {
-            Some(text) => document::read(&path.display().to_string(), text.as_bytes()),
-            None => OnDisk.read(path),
-        }
+    fn check_again(&mut self, uri: &str, library: &NodeLibrary) -> Option<Findings> {
+        let before = self.files.remove(uri)?;
+        let text = before.text().to_owned();
+        Some(self.check(uri, &text, Some(before), library))
     }
 
-    fn identity(&self, path: &Path) -> PathBuf {
-        let identity = OnDisk.identity(path);
-        self.used.borrow_mut().insert(identity.clone());
-        identity
-    }
-
-    fn unusable(&self, path: &Path) -> Option<String> {
-        OnDisk.unusable(path)
+    /// Checks the files that use one of `changed`, but for the one at `except`.
+    fn check_users(
+        &mut self,
+        changed: &[PathBuf],
+        except: Option<&str>,
+        library: &NodeLibrary,
+    ) -> Vec<Findings> {
+        let changed: Vec<[PathBuf; 2]> = changed.iter().map(|path| names_of(path)).collect();
+        let uses = |file: &OpenFile| changed.iter().any(|names| file.uses(names));
+        let users =
+            self.files.iter().filter(|(uri, file)| Some(uri.as_str()) != except && uses(file));
+        let users: Vec<String> = users.map(|(uri, _)| uri.clone()).collect();
+        users.iter().filter_map(|user| self.check_again(user, library)).collect()
     }
 }

@@ -75,7 +75,7 @@ fn of_signature(signature: &Signature) -> Parts {
 }
 
 /// The parts of a phenomenon, as far as its file is understood: it may be in the making, too.
-fn of_phenomenon(file: &OpenFile, named: &str, files: &OpenFiles) -> Option<Parts> {
+pub fn of_phenomenon(file: &OpenFile, named: &str, files: &OpenFiles) -> Option<Parts> {
     let folder = file.path().parent().unwrap_or(Path::new(""));
     let document = files.document(&folder.join(named))?;
     let root = &document.root;
