@@ -13,6 +13,8 @@ use crate::terminal::{self, Look};
 const MOST_MARKS: usize = 8;
 /// Most lines a place may span to be marked whole; of longer ones the first line is.
 const MOST_LINES: usize = 8;
+/// Most columns of a line that goes to no terminal.
+const LONGEST_LINE: usize = 400;
 /// Columns from one stop of a tab to the next.
 const TAB: usize = 4;
 /// Characters by which an excerpt may be moved to the right with the lines round it: to find where those go on they
@@ -78,7 +80,8 @@ impl Excerpt {
         let gutter = wanted.iter().filter(|it| it.lines.len() > 1).count();
         // miette puts the number, a rule and three spaces before a line, and arrows of places that span several.
         let before = last.to_string().len() + 4 + if gutter > 0 { gutter + 3 } else { 0 };
-        let room = look.width.saturating_sub(before).max(12);
+        // Where no width is known, lines are kept as long as they can be read.
+        let room = if look.wraps { look.width.saturating_sub(before).max(12) } else { LONGEST_LINE };
         let mut excerpt = Self {
             name: terminal::shown(&file.name, look).into_owned(),
             text: String::new(),

@@ -72,6 +72,8 @@ impl OpenFile {
         }
         let source = Arc::new(SourceFile::new(name, text));
         let names = names_of(&path);
+        // It is asked for by its own name too, to tell whether it uses itself.
+        names.iter().for_each(|name| drop(used.remove(name)));
         Self { uri: uri.into(), path, source, findings, ours, names, used, document }
     }
 
