@@ -67,11 +67,12 @@ fn human_reports_show_the_place_in_the_file() {
         assert!(report.contains(part), "{part}\n{report}");
     }
     assert!(!report.contains('\u{1b}'), "no colours in a pipe");
-    // Lines too long for an excerpt still have their place.
+    // Of lines too long to be read the part round the place is shown.
     let long =
         format!("{{ \"phenomenon\": \"a\", \"doc\": \"{}\", \"rots\": {{}} }}", "x".repeat(5000));
     let report = run(&["check", "-"], Some(&long), 1);
-    assert!(report.contains("-:1:5033: error[unknown-key]") && report.len() < 2000, "{report}");
+    assert!(report.contains("[-:1:5033]") && report.contains("\"rots\": {}"), "{report}");
+    assert!(report.len() < 2000, "{report}");
 }
 
 #[test]

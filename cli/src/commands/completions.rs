@@ -26,7 +26,7 @@ Examples:
 /// # Errors
 /// Standard output cannot be written.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    terminal::print(&script(arguments.shell)?)?;
+    terminal::print_exactly(&script(arguments.shell)?)?;
     Ok(Outcome::Fine)
 }
 

@@ -99,7 +99,7 @@ fn format(arguments: &Arguments, input: &Input, document: &Document) -> Result<b
             terminal::print(&format!("{name}\n"))?;
         }
     } else if inputs::is_stream(&input.path) {
-        terminal::print(&new)?;
+        terminal::print_exactly(&new)?;
     } else if new != *old {
         outputs::rewrite(&input.path, &new)?;
     }

@@ -51,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         };
         return Err(Failure::new(format!("there is no command `{command}`"), help));
     };
-    terminal::print(page)?;
+    terminal::print_exactly(page)?;
     Ok(Outcome::Fine)
 }
 

@@ -6,6 +6,7 @@ use phenomenon_compiler::diagnostics::{Code, Finding, Place};
 use phenomenon_compiler::document::{Document, Object, Reader, Value, ValueKind, read, read_file};
 use phenomenon_compiler::schema::{COORDINATES, OPTIONS, SCENE, Section};
 
+use super::assets::Assets;
 use super::depth::{DEPTH_LIMIT, TraceDepth};
 use super::description::{GraphUse, SceneDescription, SceneOptions};
 use super::{objects, surroundings};
@@ -58,15 +59,25 @@ pub fn read_scene(name: &str, bytes: &[u8], folder: &Path) -> SceneFile {
 
 /// Reads a scene from a document; the files it names are looked for in `folder`.
 pub fn check_scene(document: &Document, folder: &Path) -> SceneFile {
+    check_scene_with(document, folder, &Assets::default())
+}
+
+/// The same with pictures from elsewhere, or with what is remembered of them.
+pub fn check_scene_with(document: &Document, folder: &Path, assets: &Assets) -> SceneFile {
     let mut reader = Reader::new(document);
     let mut file = SceneFile::default();
-    let scene = scene(&mut reader, folder, &mut file);
+    let scene = scene(&mut reader, folder, assets, &mut file);
     file.scene = if reader.findings.has_errors() { None } else { scene };
     file.findings = reader.findings.into_sorted();
     file
 }
 
-fn scene(reader: &mut Reader<'_>, folder: &Path, file: &mut SceneFile) -> Option<SceneDescription> {
+fn scene(
+    reader: &mut Reader<'_>,
+    folder: &Path,
+    assets: &Assets,
+    file: &mut SceneFile,
+) -> Option<SceneDescription> {
     let document = reader.document;
     let root = &document.root;
     if matches!(root.kind, ValueKind::Object(_)) && root.get("scene").is_none() {
@@ -104,7 +115,7 @@ fn scene(reader: &mut Reader<'_>, folder: &Path, file: &mut SceneFile) -> Option
     });
     let environment = object
         .optional("environment")
-        .map(|value| surroundings::environment(reader, value, folder, &mut file.uses));
+        .map(|value| surroundings::environment(reader, value, folder, assets, &mut file.uses));
     let options = match object.optional("options") {
         Some(value) => options(reader, value),
         None => Some(SceneOptions::default()),

@@ -1,5 +1,6 @@
 //! Scenes: what is rendered, and the files that describe it.
 
+mod assets;
 mod build;
 mod depth;
 mod description;
@@ -9,6 +10,7 @@ mod fit;
 mod objects;
 mod surroundings;
 
+pub use assets::{Assets, Unusable};
 pub use build::{Scene, SceneBuilder, SceneError};
 pub use depth::{DEPTH_LIMIT, TraceDepth};
 pub use description::{
@@ -16,5 +18,5 @@ pub use description::{
     Override, SceneDescription, SceneOptions, ShapeDescription,
 };
 pub use embedded::{default_scene, embedded_file};
-pub use file::{LightNames, SceneFile, check_scene, is_scene, read_scene, read_scene_file};
+pub use file::{LightNames, SceneFile, check_scene, check_scene_with, is_scene, read_scene, read_scene_file};
 pub use fit::{misfits, settings, unknown_lights};

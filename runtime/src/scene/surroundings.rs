@@ -11,11 +11,11 @@ use phenomenon_compiler::schema::{
     CAMERA, COORDINATES, DIRECTIONAL, ENVIRONMENT, GRADIENT, LIGHT, LIGHT_SOURCE, POINT,
 };
 
+use super::assets::{Assets, Unusable};
 use super::description::{EnvironmentDescription, GraphUse};
 use super::file::{section, vector};
 use super::objects::{file_path, graph_file};
 use crate::camera::Camera;
-use crate::film::{self, FilmError};
 use crate::lights::{Environment, EnvironmentImage, Light, LightKind};
 
 pub(super) fn camera<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Camera> {
@@ -106,6 +106,7 @@ pub(super) fn environment<'d>(
     reader: &mut Reader<'d>,
     value: &'d Value,
     folder: &Path,
+    assets: &Assets,
     uses: &mut Vec<GraphUse>,
 ) -> Option<EnvironmentDescription> {
     let object = section(reader, value, &ENVIRONMENT)?;
@@ -146,7 +147,7 @@ pub(super) fn environment<'d>(
             let value = object.required(reader, "gradient")?;
             gradient(reader, value)?
         }
-        _ => image(reader, &object, folder)?,
+        _ => image(reader, &object, folder, assets)?,
     };
     Some(EnvironmentDescription::BuiltIn(built_in))
 }
@@ -162,7 +163,12 @@ fn gradient<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Environment
     Some(Environment::Gradient { zenith: zenith?, horizon: horizon?, ground: ground? })
 }
 
-fn image<'d>(reader: &mut Reader<'d>, object: &Object<'d>, folder: &Path) -> Option<Environment> {
+fn image<'d>(
+    reader: &mut Reader<'d>,
+    object: &Object<'d>,
+    folder: &Path,
+    assets: &Assets,
+) -> Option<Environment> {
     let intensity = match object.optional("intensity") {
         Some(value) => reader.number(value, "`intensity` of the environment", LIGHT),
         None => Some(1.0),
@@ -173,18 +179,14 @@ fn image<'d>(reader: &mut Reader<'d>, object: &Object<'d>, folder: &Path) -> Opt
     };
     let value = object.required(reader, "image")?;
     let path = file_path(reader, value, "`image`", folder)?;
-    match film::read(&path) {
+    match assets.picture(&path) {
         Ok(film) => {
             let film = film.without_invalid_light();
             let (intensity, rotation) = (intensity? as f32, rotation? as f32);
             Some(Environment::Image(Arc::new(EnvironmentImage { film, intensity, rotation })))
         }
-        Err(error) => {
-            let code = match error {
-                FilmError::Unreadable { .. } => Code::UNREADABLE_FILE,
-                _ => Code::UNUSABLE_FILE,
-            };
-            reader.report(code, value, error.to_string(), "give a .hdr, .exr or .png picture");
+        Err(Unusable { code, message }) => {
+            reader.report(code, value, message, "give a .hdr, .exr or .png picture");
             None
         }
     }

@@ -2,7 +2,7 @@
 
 mod scene;
 
-pub use scene::check as check_scene;
+pub use scene::check_with as check_scene;
 
 use std::collections::{BTreeMap, HashSet};
 use std::path::PathBuf;
@@ -17,6 +17,7 @@ use crate::failure::{Failure, Outcome};
 use crate::inputs::{self, Input};
 use crate::outputs;
 use crate::report::{Format, Report};
+use crate::terminal;
 
 /// Says all that is wrong in graphs and scenes.
 #[derive(Debug, clap::Args)]

@@ -9,7 +9,7 @@ use phenomenon_compiler::document::Document;
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::scene::{
-    MaterialRef, MaterialSource, SceneFile, check_scene, is_scene, misfits, settings,
+    Assets, MaterialRef, MaterialSource, SceneFile, check_scene_with, is_scene, misfits, settings,
     unknown_lights,
 };
 
@@ -21,7 +21,18 @@ pub fn check(
     library: &NodeLibrary,
     files: &dyn Files,
 ) -> Checked {
-    let scene = check_scene(document, folder);
+    check_with(document, folder, library, files, &Assets::default())
+}
+
+/// The same with what is remembered of pictures.
+pub fn check_with(
+    document: &Document,
+    folder: &Path,
+    library: &NodeLibrary,
+    files: &dyn Files,
+    assets: &Assets,
+) -> Checked {
+    let scene = check_scene_with(document, folder, assets);
     let mut graphs = Graphs { library, files, known: HashMap::new(), omitted: 0 };
     let mut findings = scene.findings.clone();
     findings.extend(graphs.check(&scene));

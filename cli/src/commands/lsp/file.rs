@@ -8,7 +8,7 @@ use phenomenon_compiler::check::check_graph_with;
 use phenomenon_compiler::diagnostics::{Finding, Place, Related, Severity, SourceFile};
 use phenomenon_compiler::document::{self, Document, ValueKind};
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_runtime::scene::is_scene;
+use phenomenon_runtime::scene::{Assets, is_scene};
 use serde_json::{Value, json};
 
 use super::address::{names_of, path_of, uri_of};
@@ -34,13 +34,14 @@ pub struct OpenFile {
 
 impl OpenFile {
     /// Reads and checks the text of a file; `before` is what it was, and `files` where those it uses
-    /// are found. What is none of ours is left alone; what was ours stays so while one types.
+    /// are found, pictures by what `assets` remember of them. What is none of ours is left alone; what was ours stays so while one types.
     pub fn read(
         uri: &str,
         text: &str,
         before: Option<OpenFile>,
         library: &NodeLibrary,
         files: &InEditor<'_>,
+        assets: &Assets,
     ) -> Self {
         let path = path_of(uri);
         let name = path.display().to_string();
@@ -55,7 +56,7 @@ impl OpenFile {
             Ok(document) => {
                 let findings = if is_scene(&document) {
                     let folder = path.parent().unwrap_or(Path::new(""));
-                    check_scene(&document, folder, library, files)
+                    check_scene(&document, folder, library, files, assets)
                 } else {
                     check_graph_with(&document, library, files)
                 };
@@ -73,7 +74,9 @@ impl OpenFile {
         let source = Arc::new(SourceFile::new(name, text));
         let names = names_of(&path);
         // It is asked for by its own name too, to tell whether it uses itself.
-        names.iter().for_each(|name| drop(used.remove(name)));
+        for name in &names {
+            used.remove(name);
+        }
         Self { uri: uri.into(), path, source, findings, ours, names, used, document }
     }
 
@@ -235,8 +238,9 @@ mod tests {
     #[test]
     fn positions_count_in_utf_16() {
         let library = NodeLibrary::standard();
-        let files = InEditor::default();
-        let file = OpenFile::read("file:///a.json", "{\n\"😀é\": 1 }", None, &library, &files);
+        let (files, assets) = (InEditor::default(), Assets::default());
+        let text = "{\n\"😀é\": 1 }";
+        let file = OpenFile::read("file:///a.json", text, None, &library, &files, &assets);
         let at = |line: u64, character: u64| {
             file.byte_of(&json!({ "line": line, "character": character }))
         };

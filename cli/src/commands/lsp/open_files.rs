@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use phenomenon_compiler::check::{Files, OnDisk};
 use phenomenon_compiler::document::Document;
 use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_runtime::scene::Assets;
 use serde_json::Value;
 
 use super::address::{names_of, path_of};
@@ -16,10 +17,17 @@ use super::in_editor::InEditor;
 /// Findings for a file, by its address.
 type Findings = (String, Vec<Value>);
 
-/// The open files, by address. Nothing is kept of files that are closed.
-#[derive(Default)]
+/// The open files, by address. Nothing is kept of files that are closed, and of pictures no more than whether they
+/// can be used.
 pub struct OpenFiles {
     files: BTreeMap<String, OpenFile>,
+    assets: Assets,
+}
+
+impl Default for OpenFiles {
+    fn default() -> Self {
+        Self { files: BTreeMap::new(), assets: Assets::remembered() }
+    }
 }
 
 impl OpenFiles {
@@ -63,6 +71,8 @@ impl OpenFiles {
     /// Files were made, changed or removed on disk; yields the findings of the open files that use one of them.
     pub fn changed_on_disk(&mut self, uris: &[&str], library: &NodeLibrary) -> Vec<Findings> {
         let paths: Vec<PathBuf> = uris.iter().map(|uri| path_of(uri)).collect();
+        // Written again within one tick of its clock, a file has the time it had.
+        paths.iter().flat_map(|path| names_of(path)).for_each(|name| self.assets.forget(&name));
         self.check_users(&paths, None, library)
     }
 
@@ -78,7 +88,7 @@ impl OpenFiles {
             .values()
             .flat_map(|file| file.names.iter().map(move |name| (name.clone(), file.text())));
         let in_editor = InEditor::new(&path_of(uri), texts);
-        let file = OpenFile::read(uri, text, before, library, &in_editor);
+        let file = OpenFile::read(uri, text, before, library, &in_editor, &self.assets);
         let findings = file.diagnostics();
         self.files.insert(uri.to_owned(), file);
         (uri.to_owned(), findings)
@@ -103,5 +113,37 @@ impl OpenFiles {
             self.files.iter().filter(|(uri, file)| Some(uri.as_str()) != except && uses(file));
         let users: Vec<String> = users.map(|(uri, _)| uri.clone()).collect();
         users.iter().filter_map(|user| self.check_again(user, library)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use phenomenon_runtime::film::{self, Film};
+
+    use super::super::address::uri_of;
+    use super::*;
+
+    #[test]
+    fn a_keystroke_decodes_no_picture() {
+        let folder = tempfile::tempdir().unwrap();
+        let (scene, sky) = (folder.path().join("s.json"), folder.path().join("sky.hdr"));
+        film::write(&Film::new(64, 32).unwrap(), &sky, 1.0).unwrap();
+        let text = |doc: &str| {
+            format!(
+                "{{ \"scene\": \"s\", \"doc\": \"{doc}\", \"camera\": {{ \"position\": [0, 0, 5], \"look_at\": [0, 0, 0] }}, \"objects\": [], \"environment\": {{ \"image\": \"sky.hdr\" }} }}"
+            )
+        };
+        let library = NodeLibrary::standard();
+        let (mut files, uri) = (OpenFiles::default(), uri_of(&scene));
+        for doc in ["", "a", "a s", "a sky"] {
+            let findings = files.change(&uri, &text(doc), &library);
+            assert!(findings[0].1.is_empty(), "{findings:?}");
+        }
+        assert_eq!(files.assets.reads(), 1);
+        std::fs::write(&sky, "no picture").unwrap();
+        let findings = files.changed_on_disk(&[&uri_of(&sky)], &library);
+        assert_eq!(findings[0].1[0]["code"], "unusable-file");
+        files.change(&uri, &text("a sky that is broken"), &library);
+        assert_eq!(files.assets.reads(), 2);
     }
 }

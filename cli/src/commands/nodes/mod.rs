@@ -59,10 +59,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let library = NodeLibrary::standard();
     if !arguments.search.is_empty() {
         let found = search::find(&library, &arguments.search)?;
-        terminal::print(&match arguments.format {
-            Format::Human => human::found(&found),
-            Format::Json => json::found(&found),
-        })?;
+        match arguments.format {
+            Format::Human => terminal::print(&human::found(&found)),
+            Format::Json => terminal::print_exactly(&json::found(&found)),
+        }?;
         return Ok(Outcome::Fine);
     }
     let subject = subject(&library, arguments.name.as_deref())?;

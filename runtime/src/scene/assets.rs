@@ -1,0 +1,156 @@
+//! The pictures that scenes name, and what is remembered of them by whoever checks the same scenes time and again.
+
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+use phenomenon_compiler::diagnostics::Code;
+
+use crate::film::{self, Film, FilmError};
+
+/// Most files of which something is remembered; past them all is forgotten.
+const REMEMBERED_FILES: usize = 4096;
+
+/// Where the pictures of scenes come from. By default they are read whenever a scene names them.
+#[derive(Debug, Default)]
+pub struct Assets {
+    /// What is known of pictures; none where nothing is remembered.
+    known: Option<RefCell<HashMap<PathBuf, (Stamp, Outcome)>>>,
+    reads: Cell<usize>,
+}
+
+/// Whether a picture can be used, and if not, why.
+type Outcome = Result<(), Unusable>;
+
+/// Why a file that a scene names cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unusable {
+    /// The code of the finding.
+    pub code: Code,
+    /// What is wrong, with the name of the file.
+    pub message: String,
+}
+
+/// What tells a file from the same one after it was written again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Stamp {
+    bytes: u64,
+    modified: Option<SystemTime>,
+}
+
+impl Stamp {
+    fn of(path: &Path) -> Option<Self> {
+        let metadata = std::fs::metadata(path).ok()?;
+        Some(Self { bytes: metadata.len(), modified: metadata.modified().ok() })
+    }
+}
+
+impl Assets {
+    /// Remembers of each file whether it can be used, as long as its size and time stay the same, but not what is in
+    /// it: a scene read with it is for its findings only, for its pictures are black.
+    pub fn remembered() -> Self {
+        Self { known: Some(RefCell::default()), reads: Cell::default() }
+    }
+
+    /// How many files were read.
+    pub fn reads(&self) -> usize {
+        self.reads.get()
+    }
+
+    /// Forgets what is remembered of a file.
+    pub fn forget(&self, path: &Path) {
+        if let Some(known) = &self.known {
+            known.borrow_mut().remove(&reached(path));
+        }
+    }
+
+    /// Why a picture cannot be used; none where it can.
+    pub fn unusable_picture(&self, path: &Path) -> Option<Unusable> {
+        self.picture(path).err()
+    }
+
+    /// A picture; a black one of one pixel where only its outcome is remembered.
+    pub(super) fn picture(&self, path: &Path) -> Result<Film, Unusable> {
+        let stamp = Stamp::of(path);
+        let (Some(known), Some(stamp)) = (&self.known, stamp) else { return self.read(path) };
+        let name = reached(path);
+        let found = known.borrow().get(&name).cloned();
+        if let Some((_, outcome)) = found.filter(|(before, _)| *before == stamp) {
+            return outcome.and_then(|()| black());
+        }
+        let outcome = self.read(path).map(drop);
+        let mut known = known.borrow_mut();
+        if known.len() >= REMEMBERED_FILES {
+            known.clear();
+        }
+        known.insert(name, (stamp, outcome.clone()));
+        outcome.and_then(|()| black())
+    }
+
+    fn read(&self, path: &Path) -> Result<Film, Unusable> {
+        self.reads.set(self.reads.get() + 1);
+        film::read(path).map_err(|error| Unusable::from(&error))
+    }
+}
+
+/// The one path of a file, however it is named.
+fn reached(path: &Path) -> PathBuf {
+    std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+}
+
+fn black() -> Result<Film, Unusable> {
+    Film::new(1, 1)
+        .map_err(|error| Unusable { code: Code::UNUSABLE_FILE, message: error.to_string() })
+}
+
+impl From<&FilmError> for Unusable {
+    fn from(error: &FilmError) -> Self {
+        let code = match error {
+            FilmError::Unreadable { .. } => Code::UNREADABLE_FILE,
+            FilmError::TooManyBytes { .. } => Code::FILE_TOO_LARGE,
+            _ => Code::UNUSABLE_FILE,
+        };
+        Self { code, message: error.to_string() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_read_again_once_it_has_changed() {
+        let folder = tempfile::tempdir().unwrap();
+        let (path, absent) = (folder.path().join("a.hdr"), folder.path().join("absent.hdr"));
+        film::write(&Film::new(4, 2).unwrap(), &path, 1.0).unwrap();
+        let assets = Assets::remembered();
+        for _ in 0..3 {
+            assert_eq!(assets.picture(&path).map(|film| film.width()), Ok(1));
+        }
+        assert_eq!(assets.reads(), 1);
+        std::fs::write(&path, "no picture at all").unwrap();
+        for _ in 0..3 {
+            assert_eq!(assets.unusable_picture(&path).unwrap().code, Code::UNUSABLE_FILE);
+        }
+        assert_eq!(assets.reads(), 2);
+        assets.forget(&path);
+        assert!(assets.unusable_picture(&path).is_some());
+        assert_eq!(assets.reads(), 3);
+        // What is not there may come.
+        assert_eq!(assets.unusable_picture(&absent).unwrap().code, Code::UNREADABLE_FILE);
+        film::write(&Film::new(4, 2).unwrap(), &absent, 1.0).unwrap();
+        assert_eq!(assets.unusable_picture(&absent), None);
+    }
+
+    #[test]
+    fn by_default_nothing_is_remembered() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.hdr");
+        film::write(&Film::new(4, 2).unwrap(), &path, 1.0).unwrap();
+        let assets = Assets::default();
+        assert_eq!(assets.picture(&path).map(|film| film.width()), Ok(4));
+        assert_eq!(assets.picture(&path).map(|film| film.width()), Ok(4));
+        assert_eq!(assets.reads(), 2);
+    }
+}
