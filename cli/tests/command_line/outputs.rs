@@ -149,7 +149,15 @@ fn other_commands_replace_nothing_they_read() {
     }
     fs::hard_link(folder.path("wood.json"), folder.path("render.json")).unwrap();
     let arguments = ["bench", "render", "wood.json", "-o", ".", "--runs", "1"];
-    kept(&folder, &arguments, &["render.json", "which was read"]);
+    kept(&folder, &arguments, &["render.json", "no result"]);
+    // Only a result takes the place of a result.
+    let bench = |output: &str| {
+        let arguments = ["bench", "render", "wood.json", "-o", output, "--runs", "1"];
+        run_in(&folder.path(""), &[&arguments, &SMALL[..4]].concat(), "").code
+    };
+    assert_eq!([bench("new"), bench("new"), bench(".")], [Some(0), Some(0), Some(2)]);
+    folder.file("new/render.json", r#"{ "version": 1, "rows": [], "phenomenon": "a" }"#);
+    assert_eq!(bench("new"), Some(2));
 }
 
 /// Runs it under a limit of the size of files, with the signal left as it is or ignored.

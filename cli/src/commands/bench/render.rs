@@ -1,13 +1,14 @@
 //! `phenomenon bench render`.
 
 use std::fmt::Write as _;
+use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum, ValueHint};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::render::{Settings, Statistics, render};
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::arguments::{self, EngineChoice, Precision, SimdChoice, Size};
 use crate::failure::{Failure, Outcome};
@@ -71,6 +72,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(output) = output {
         make_folder(output.path.parent().unwrap_or(Path::new("")))?;
         output.require_writable()?;
+        require_replaceable(output.path)?;
     }
     let library = Arc::new(NodeLibrary::standard());
     let mut contenders = Vec::new();
@@ -194,6 +196,29 @@ fn make_folder(folder: &Path) -> Result<(), Failure> {
         Failure::new(format!("-o {}: {error}", folder.display()), "name another folder")
     })
 }
+
+/// Fails where something is under the name that is no result of an earlier run: the name was not
+/// chosen, so it must not cost anybody a graph that is called so.
+fn require_replaceable(path: &Path) -> Result<(), Failure> {
+    let is_result = |value: &Value| {
+        let keys = value.as_object().map(|object| object.keys().map(String::as_str).collect());
+        keys == Some(vec!["version", "rows"]) && value["rows"].is_array()
+    };
+    // A pipe must not be opened; that it cannot be written is said before.
+    if !path.is_file() {
+        return Ok(());
+    }
+    let read = std::fs::File::open(path)
+        .map(|file| serde_json::from_reader::<_, Value>(BufReader::new(file.take(LARGEST_RESULT))));
+    if matches!(read, Ok(Ok(value)) if is_result(&value)) {
+        return Ok(());
+    }
+    let message = format!("-o {} exists, and is no result of `bench render`", path.display());
+    Err(Failure::new(message, "name another folder with -o"))
+}
+
+/// Bytes; a result has some hundred.
+const LARGEST_RESULT: u64 = 1 << 20;
 
 /// `{"version":1,"rows":[…]}`
 fn rows(arguments: &Arguments, contenders: &[Contender]) -> String {
