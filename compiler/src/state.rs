@@ -77,8 +77,9 @@ pub struct Hit {
     pub instance: u32,
     /// Primitive number within the instance.
     pub primitive: u32,
-    /// Bound on the error of `point`, per component.
-    pub error: [f32; 3],
+    /// The point in double precision. The renderer takes it for `point` where `point` is its
+    /// rounding; a scope that moves the point leaves it behind.
+    pub position: [f64; 3],
 }
 
 impl Default for State {

@@ -4,15 +4,22 @@
 //! on the side of a hit by a bound on every rounding on the way, so that no tree, whatever its
 //! shape, loses a hit its primitives have.
 
+use glam::DVec3;
 use obvhs::cwbvh::node::CwBvhNode;
+
+use crate::geometry::single;
 
 /// Smallest direction component whose inverse is taken; below it the ray moves less than any box
 /// is padded.
 const SMALLEST_DIRECTION: f32 = 1e-25;
 
-/// Slack in parts of the distance from the origin to the node: the subtraction, the product and
-/// what the primitives' tests may differ by.
+/// Slack in parts of the distance from the origin to the node: the subtraction, the product, the
+/// rounding of the direction, and what the primitives' tests may differ by.
 const DISTANCE_SLACK: f32 = 1e-6;
+
+/// Slack in parts of the origin's coordinates, which are rounded to f32: half a unit in the last
+/// place, and room.
+const ORIGIN_SLACK: f32 = 1.0 / (1 << 23) as f32;
 
 /// Slack in parts of the node's extent: obvhs takes the extent's exponent by an inexact log2.
 const EXTENT_SLACK: f32 = 255.0 * 1e-5;
@@ -29,7 +36,8 @@ pub(super) struct BoxRay {
 
 impl BoxRay {
     #[inline(always)]
-    pub(super) fn new(origin: [f32; 3], direction: [f32; 3]) -> Self {
+    pub(super) fn new(origin: DVec3, direction: DVec3) -> Self {
+        let (origin, direction) = (single(origin), single(direction));
         let inverse = direction.map(|x| {
             let size = if x.abs() < SMALLEST_DIRECTION { SMALLEST_DIRECTION } else { x.abs() };
             (1.0 / size).copysign(x)
@@ -52,7 +60,10 @@ impl BoxRay {
             let extent = f32::from_bits(u32::from(node.e[axis]) << 23);
             let inverse = self.inverse[axis];
             let away = corner[axis] - self.origin[axis];
-            let slack = (away.abs() * DISTANCE_SLACK + extent * EXTENT_SLACK) * inverse.abs();
+            let slack = away.abs() * DISTANCE_SLACK
+                + self.origin[axis].abs() * ORIGIN_SLACK
+                + extent * EXTENT_SLACK;
+            let slack = slack * inverse.abs();
             let (scale, base) = (extent * inverse, away * inverse);
             let (first, last) = (base - slack, base + slack);
             let (near, far) = match self.negative[axis] {

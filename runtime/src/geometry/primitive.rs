@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::sphere::Sphere;
-use super::triangle::ShearedRay;
+use super::triangle::{ShearedRay, ahead};
 
 /// A shape the BVH holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,13 +15,22 @@ pub enum Primitive {
 }
 
 /// A ray made ready for every kind of primitive.
+///
+/// It meets what lies past its start and, if it has one, before its end: a surface that passes
+/// through the start or the end, as far as arithmetic can tell, is not met there. So a ray that
+/// leaves a surface does not meet that surface again where it starts, whatever the angle, nor any
+/// other in the same place; and what a light touches does not shadow it.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedRay {
-    /// Origin.
-    pub origin: [f32; 3],
+    /// Where it starts.
+    pub origin: DVec3,
     /// Direction, of about unit length.
-    pub direction: [f32; 3],
-    sheared: ShearedRay,
+    pub direction: DVec3,
+    /// The normal of the surface it leaves, on the side it leaves to; zero for other rays.
+    pub(super) side: DVec3,
+    /// Where it ends, and the distance there.
+    pub(super) end: Option<(DVec3, f64)>,
+    pub(super) sheared: ShearedRay,
 }
 
 /// Where a ray meets a primitive, before anything about the surface is worked out.
@@ -35,14 +44,55 @@ pub struct RawHit {
     pub b2: f64,
     /// Position of the primitive in the tree.
     pub slot: u32,
+    /// Whether the ray comes from the inner side.
+    pub inside: bool,
 }
 
 impl PreparedRay {
-    /// Prepares a ray. The direction must be finite and not zero.
+    /// A ray from a point in space. The direction must be finite and not zero.
     #[inline(always)]
     pub fn new(origin: [f32; 3], direction: [f32; 3]) -> Self {
-        Self { origin, direction, sheared: ShearedRay::new(origin, direction) }
+        Self::between(double(origin), double(direction), DVec3::ZERO, None)
     }
+
+    /// A ray that leaves a surface at a point known in double precision. `normal` is that of the
+    /// surface, of any length; the ray leaves to the side its direction points to.
+    #[inline(always)]
+    pub fn leaving(point: DVec3, normal: [f32; 3], direction: DVec3) -> Self {
+        Self::between(point, direction, to_side(normal, direction), None)
+    }
+
+    /// A ray from a point of a surface to another point. None where they are the same or too far
+    /// apart.
+    #[inline(always)]
+    pub fn to(point: DVec3, normal: [f32; 3], end: DVec3) -> Option<Self> {
+        let towards = end - point;
+        let distance = towards.length();
+        if !(distance > 0.0 && distance.is_finite()) {
+            return None;
+        }
+        let direction = towards / distance;
+        let side = to_side(normal, direction);
+        Some(Self::between(point, direction, side, Some((end, distance))))
+    }
+
+    #[inline(always)]
+    fn between(origin: DVec3, direction: DVec3, side: DVec3, end: Option<(DVec3, f64)>) -> Self {
+        Self { origin, direction, side, end, sheared: ShearedRay::new(origin, direction) }
+    }
+
+    /// How far it reaches.
+    #[inline(always)]
+    pub fn reach(&self) -> f64 {
+        self.end.map_or(f64::INFINITY, |(_, distance)| distance)
+    }
+}
+
+/// The normal turned to the side a direction points to.
+#[inline(always)]
+fn to_side(normal: [f32; 3], direction: DVec3) -> DVec3 {
+    let normal = double(normal);
+    if normal.dot(direction) < 0.0 { -normal } else { normal }
 }
 
 /// A vector in double precision.
@@ -58,23 +108,22 @@ pub fn single(v: DVec3) -> [f32; 3] {
 }
 
 impl Primitive {
-    /// The nearest meeting at a distance above 0.
+    /// The nearest meeting past the ray's start and before its end.
     #[inline(always)]
     pub fn nearest(&self, ray: &PreparedRay, slot: u32) -> Option<RawHit> {
         match self {
             Primitive::Triangle(vertices) => {
-                let (t, b1, b2) = ray.sheared.meet(vertices)?;
-                (t > 0.0).then_some(RawHit { t, b1, b2, slot })
+                let (hit, inside) = ahead(ray, vertices)?;
+                Some(RawHit { t: hit.t, b1: hit.b1, b2: hit.b2, slot, inside })
             }
             Primitive::Sphere(sphere) => {
-                let (near, far) = sphere.roots(double(ray.origin), double(ray.direction))?;
-                let t = if near > 0.0 { near } else { far };
-                (t > 0.0).then_some(RawHit { t, b1: 0.0, b2: 0.0, slot })
+                let (t, inside) = sphere.ahead(ray).into_iter().flatten().next()?;
+                Some(RawHit { t, b1: 0.0, b2: 0.0, slot, inside })
             }
         }
     }
 
-    /// Every meeting at a distance above 0.
+    /// Every meeting past the ray's start and before its end.
     #[inline(always)]
     pub fn every(&self, ray: &PreparedRay, slot: u32, mut found: impl FnMut(RawHit)) {
         match self {
@@ -84,11 +133,8 @@ impl Primitive {
                 }
             }
             Primitive::Sphere(sphere) => {
-                let roots = sphere.roots(double(ray.origin), double(ray.direction));
-                for t in roots.map_or([0.0; 2], |(near, far)| [near, far]) {
-                    if t > 0.0 {
-                        found(RawHit { t, b1: 0.0, b2: 0.0, slot });
-                    }
+                for (t, inside) in sphere.ahead(ray).into_iter().flatten() {
+                    found(RawHit { t, b1: 0.0, b2: 0.0, slot, inside });
                 }
             }
         }

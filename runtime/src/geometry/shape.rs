@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::primitive::{PreparedRay, Primitive, RawHit, double, single};
-use super::{Mesh, coordinate_error};
+use super::{Mesh, ShadowTerminator};
+use super::primitive::{Primitive, RawHit, double, single};
 
 /// What an instance is made of.
 #[derive(Clone, Debug)]
@@ -23,6 +23,8 @@ pub struct Instance {
     pub shape: Shape,
     /// Position of its material.
     pub material: u32,
+    /// Where its own shadow ends, if it is a mesh with normals.
+    pub terminator: ShadowTerminator,
 }
 
 /// The surface where a ray met it, as seen from outside: not yet turned to the ray.
@@ -30,8 +32,8 @@ pub struct Instance {
 pub struct Surface {
     /// The point.
     pub point: [f32; 3],
-    /// Bound on the error of each component of `point`.
-    pub error: [f32; 3],
+    /// The same point in double precision: rays that leave it start here.
+    pub position: DVec3,
     /// Unit geometric normal, outwards.
     pub normal_geom: [f32; 3],
     /// Unit shading normal, in the hemisphere of the geometric one.
@@ -41,9 +43,10 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Works out the surface at `hit` of `primitive`, number `number` of an instance of `shape`.
+    /// Works out the surface where the ray, by its origin and direction, met `primitive`, number
+    /// `number` of an instance of `shape`.
     pub fn at(
-        ray: &PreparedRay,
+        (origin, direction): (DVec3, DVec3),
         hit: &RawHit,
         primitive: &Primitive,
         shape: &Shape,
@@ -51,13 +54,11 @@ impl Surface {
     ) -> Self {
         match primitive {
             Primitive::Sphere(sphere) => {
-                let (point, normal) =
-                    sphere.point(double(ray.origin), double(ray.direction), hit.t);
-                let magnitude = |k: usize| f64::from(sphere.center[k].abs() + sphere.radius);
+                let (point, normal) = sphere.point(origin, direction, hit.t);
                 let normal = single(normal);
                 Surface {
                     point: single(point),
-                    error: [0, 1, 2].map(|k| coordinate_error(point[k], magnitude(k))),
+                    position: point,
                     normal_geom: normal,
                     normal,
                     uv: sphere_coordinates(normal),
@@ -67,15 +68,14 @@ impl Surface {
                 let [a, b, c] = vertices.map(double);
                 let weights = [1.0 - hit.b1 - hit.b2, hit.b1, hit.b2];
                 let point = a * weights[0] + b * weights[1] + c * weights[2];
-                let magnitude = a.abs() + b.abs() + c.abs();
-                let normal_geom = unit((b - a).cross(c - a)).unwrap_or(-double(ray.direction));
+                let normal_geom = unit((b - a).cross(c - a)).unwrap_or(-direction);
                 let (normal, uv) = match shape {
                     Shape::Mesh(mesh) => mesh.attributes(number, weights, normal_geom),
                     Shape::Sphere => (normal_geom, [hit.b1 as f32, hit.b2 as f32]),
                 };
                 Surface {
                     point: single(point),
-                    error: [0, 1, 2].map(|k| coordinate_error(point[k], magnitude[k])),
+                    position: point,
                     normal_geom: single(normal_geom),
                     normal: single(normal),
                     uv,

@@ -1,10 +1,15 @@
-//! The watertight ray-triangle test of Woop, Benthin and Wald (JCGT 2013).
+//! The watertight ray-triangle test of Woop, Benthin and Wald (JCGT 2013), and what decides whether
+//! a triangle lies before a ray or at its very start.
 //!
 //! The ray is sheared onto an axis and the signs of three 2-D edge functions decide. Each vertex is
 //! sheared the same way in every triangle it belongs to, and `a*b - c*d` has the right sign or is 0
 //! in floating point, with 0 counted as inside: no ray slips between triangles that share an edge
 //! or a vertex. All of it runs in f64 (the paper falls back to f64 where an edge function is 0 in
 //! f32), which also leaves a distance precise enough to order close surfaces.
+
+use glam::DVec3;
+
+use super::primitive::{PreparedRay, double};
 
 /// A ray made ready for the test.
 #[derive(Clone, Copy, Debug)]
@@ -15,11 +20,23 @@ pub struct ShearedRay {
     shear: [f64; 3],
 }
 
+/// Where a ray's line meets a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineHit {
+    /// Distance, in units of the direction's length; behind the ray's origin below 0.
+    pub t: f64,
+    /// Barycentric weight of the second vertex.
+    pub b1: f64,
+    /// Barycentric weight of the third vertex.
+    pub b2: f64,
+}
+
 impl ShearedRay {
     /// Prepares the ray; the direction is not zero.
     #[inline(always)]
-    pub fn new(origin: [f32; 3], direction: [f32; 3]) -> Self {
-        let [x, y, z] = direction.map(f32::abs);
+    pub fn new(origin: DVec3, direction: DVec3) -> Self {
+        let (origin, direction) = (origin.to_array(), direction.to_array());
+        let [x, y, z] = direction.map(f64::abs);
         let kz = if x > y {
             if x > z { 0 } else { 2 }
         } else if y > z {
@@ -32,15 +49,11 @@ impl ShearedRay {
             // Keeps the winding of triangles.
             std::mem::swap(&mut kx, &mut ky);
         }
-        let along = f64::from(direction[kz]);
+        let along = direction[kz];
         Self {
             axes: [kx, ky, kz],
-            origin: [origin[kx].into(), origin[ky].into(), origin[kz].into()],
-            shear: [
-                f64::from(direction[kx]) / along,
-                f64::from(direction[ky]) / along,
-                1.0 / along,
-            ],
+            origin: [origin[kx], origin[ky], origin[kz]],
+            shear: [direction[kx] / along, direction[ky] / along, 1.0 / along],
         }
     }
 
@@ -54,10 +67,12 @@ impl ShearedRay {
         [x - self.shear[0] * z, y - self.shear[1] * z, z]
     }
 
-    /// Distance (in units of the direction's length) and the barycentric weights of the second and
-    /// third vertex, where the ray's line meets the triangle from either side.
+    /// Where the ray's line meets the triangle, from either side. The distance is a mean of those
+    /// of the vertices by the very weights that the edge functions give, so it errs by the weights'
+    /// error times the triangle's depth, not times its distance; on an edge it has the same bits
+    /// for both triangles.
     #[inline(always)]
-    pub fn meet(&self, vertices: &[[f32; 3]; 3]) -> Option<(f64, f64, f64)> {
+    pub fn meet(&self, vertices: &[[f32; 3]; 3]) -> Option<LineHit> {
         let [a, b, c] =
             [self.shear(&vertices[0]), self.shear(&vertices[1]), self.shear(&vertices[2])];
         let u = c[0] * b[1] - c[1] * b[0];
@@ -69,8 +84,106 @@ impl ShearedRay {
             return None;
         }
         let t = (u * a[2] + v * b[2] + w * c[2]) * self.shear[2] / determinant;
-        Some((t, v / determinant, w / determinant))
+        Some(LineHit { t, b1: v / determinant, b2: w / determinant })
     }
+}
+
+/// Unit roundoff of f64.
+const U: f64 = f64::EPSILON / 2.0;
+
+/// The plane of a triangle.
+///
+/// # When a point lies on it
+///
+/// With u = 2^-53, e and f the edges from the first vertex a, N = e × f, r = p - a:
+///
+/// * **The point.** Where a ray met a triangle the point is Σ wᵢ vᵢ, its weights in 0..=1 and their
+///   sum 1 to within 2u (`1 - b1 - b2` is rounded twice); products and sums add 3u. So each
+///   component lies within 5u max|v| of the plane's point with the exact weights, and as
+///   v = p - r (+ e or f), within 5u (|p| + |r| + |e| + |f|).
+/// * **Its distance.** N is computed with an error of at most 4u M, where M is the sum of the
+///   absolute values of its products, componentwise; r with u |r|; the dot product adds 3u. So
+///   s = N·r errs by at most Σ M 8u |r|.
+///
+/// A point computed on a triangle has |s| ≤ Σ M (13u |r| + 5u (|p| + |e| + |f|)); `side` takes 16u
+/// of all four, the rest is room for terms in u². In units of length that is some 1e-15 of the
+/// coordinates and of the triangle: two panes much closer to one another than a millionth of a
+/// millionth of their size are still two.
+///
+/// Nothing here divides by a cosine: it is the distance of the start from the plane that is
+/// compared, not the distance along the ray, so that the angle of the ray does not matter. A ray
+/// meets a plane once, and that one time is its start.
+struct Plane {
+    corner: DVec3,
+    edges: [DVec3; 2],
+    normal: DVec3,
+    /// Sums of the absolute values of the products `normal` is made of.
+    magnitude: DVec3,
+}
+
+impl Plane {
+    #[inline(always)]
+    fn new(vertices: &[[f32; 3]; 3]) -> Self {
+        let [a, b, c] = vertices.map(double);
+        let (e, f) = (b - a, c - a);
+        let (ae, af) = (e.abs(), f.abs());
+        let magnitude = DVec3::new(
+            ae.y * af.z + ae.z * af.y,
+            ae.z * af.x + ae.x * af.z,
+            ae.x * af.y + ae.y * af.x,
+        );
+        Self { corner: a, edges: [ae, af], normal: e.cross(f), magnitude }
+    }
+
+    /// 1 where the point lies surely on the outer side, -1 on the inner, 0 where it lies on the
+    /// plane as far as arithmetic can tell.
+    #[inline(always)]
+    fn side(&self, point: DVec3) -> i8 {
+        let from_corner = point - self.corner;
+        let distance = self.normal.dot(from_corner);
+        let reach = point.abs() + from_corner.abs() + self.edges[0] + self.edges[1];
+        sign(distance, 16.0 * U * self.magnitude.dot(reach))
+    }
+
+    /// Whether a direction runs outwards (1), inwards (-1), or along the plane.
+    #[inline(always)]
+    fn heading(&self, direction: DVec3) -> i8 {
+        sign(self.normal.dot(direction), 16.0 * U * self.magnitude.dot(direction.abs()))
+    }
+}
+
+#[inline(always)]
+fn sign(value: f64, bound: f64) -> i8 {
+    i8::from(value > bound) - i8::from(value < -bound)
+}
+
+/// Where the ray meets the triangle past its start, and before its end where it has one; and whether
+/// it comes from the inner side. A triangle whose plane holds the start or the end is not met there
+/// (see [`Plane`]).
+#[inline(always)]
+pub(super) fn ahead(ray: &PreparedRay, vertices: &[[f32; 3]; 3]) -> Option<(LineHit, bool)> {
+    let mut hit = ray.sheared.meet(vertices)?;
+    let plane = Plane::new(vertices);
+    let start = plane.side(ray.origin);
+    if start == 0 {
+        return None;
+    }
+    // The signs are surer than the distance, which errs by some 1000u of a triangle nearby.
+    let heading = plane.heading(ray.direction);
+    let is_ahead = if heading == 0 { hit.t > 0.0 } else { heading != start };
+    if !is_ahead {
+        return None;
+    }
+    if let Some((end, distance)) = ray.end {
+        if plane.side(end) != -start {
+            return None;
+        }
+        hit.t = hit.t.min(distance);
+    }
+    if hit.t <= 0.0 {
+        hit.t = f64::MIN_POSITIVE;
+    }
+    Some((hit, start < 0))
 }
 
 #[cfg(test)]
@@ -79,33 +192,43 @@ mod tests {
 
     const UNIT: [[f32; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
+    fn meet(origin: [f64; 3], direction: [f64; 3], vertices: &[[f32; 3]; 3]) -> Option<LineHit> {
+        ShearedRay::new(DVec3::from(origin), DVec3::from(direction)).meet(vertices)
+    }
+
     #[test]
     fn met_from_both_sides_with_weights() {
-        let (t, b, c) = ShearedRay::new([0.25, 0.5, 2.0], [0.0, 0.0, -1.0]).meet(&UNIT).unwrap();
-        assert_eq!((t, b, c), (2.0, 0.25, 0.5));
-        let (t, b, c) = ShearedRay::new([0.25, 0.5, -2.0], [0.0, 0.0, 1.0]).meet(&UNIT).unwrap();
-        assert_eq!((t, b, c), (2.0, 0.25, 0.5));
+        let expected = Some(LineHit { t: 2.0, b1: 0.25, b2: 0.5 });
+        assert_eq!(meet([0.25, 0.5, 2.0], [0.0, 0.0, -1.0], &UNIT), expected);
+        assert_eq!(meet([0.25, 0.5, -2.0], [0.0, 0.0, 1.0], &UNIT), expected);
     }
 
     #[test]
     fn edges_and_corners_belong_to_it() {
         for (x, y) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.5, 0.5), (0.5, 0.0), (0.0, 0.5)] {
-            let ray = ShearedRay::new([x, y, 1.0], [0.0, 0.0, -1.0]);
-            assert!(ray.meet(&UNIT).is_some(), "{x} {y}");
+            assert!(meet([x, y, 1.0], [0.0, 0.0, -1.0], &UNIT).is_some(), "{x} {y}");
         }
     }
 
     #[test]
     fn edge_on_and_flat_triangles_are_missed() {
-        assert!(ShearedRay::new([-1.0, 0.2, 0.0], [1.0, 0.0, 0.0]).meet(&UNIT).is_none());
+        assert!(meet([-1.0, 0.2, 0.0], [1.0, 0.0, 0.0], &UNIT).is_none());
         let flat = [[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
-        assert!(ShearedRay::new([1.0, 0.0, 1.0], [0.0, 0.0, -1.0]).meet(&flat).is_none());
+        assert!(meet([1.0, 0.0, 1.0], [0.0, 0.0, -1.0], &flat).is_none());
     }
 
     #[test]
     fn negative_zero_in_the_direction_changes_nothing() {
-        let plus = ShearedRay::new([0.25, 0.25, 1.0], [0.0, 0.0, -1.0]).meet(&UNIT);
-        let minus = ShearedRay::new([0.25, 0.25, 1.0], [-0.0, -0.0, -1.0]).meet(&UNIT);
+        let plus = meet([0.25, 0.25, 1.0], [0.0, 0.0, -1.0], &UNIT);
+        let minus = meet([0.25, 0.25, 1.0], [-0.0, -0.0, -1.0], &UNIT);
         assert_eq!(plus, minus);
+    }
+
+    #[test]
+    fn a_tiny_far_triangle_has_a_precise_distance() {
+        let size = 1e-6f32;
+        let tiny = [[0.0, 0.0, 0.0], [size, 0.0, size], [0.0, size, 0.0]];
+        let hit = meet([2e-7, 3e-7, 100.0], [0.0, 0.0, -1.0], &tiny).unwrap();
+        assert!((hit.t - (100.0 - 2e-7)).abs() < 1e-13, "{}", hit.t);
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::geometry::{double, single};
+use crate::geometry::{PreparedRay, double, single};
 
 /// A light.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +31,11 @@ pub enum LightKind {
     },
 }
 
+/// Most that arrives from a light at one point, in each channel: 2^100. A point light's power is
+/// divided by the square of a distance that may be next to nothing; so much light saturates every
+/// picture, and sums of a million of it are still finite.
+pub const LIGHT_LIMIT: f32 = 1.267_650_6e30;
+
 /// A light as a point sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSight {
@@ -54,7 +59,7 @@ impl Light {
                 if !(distance > 0.0 && distance.is_finite()) {
                     return None;
                 }
-                let color = self.power.map(|power| (f64::from(power) / squared) as f32);
+                let color = self.power.map(|power| saturated(f64::from(power) / squared));
                 let direction = single(towards / distance);
                 Some(LightSight { direction, distance: Some(distance), color })
             }
@@ -63,19 +68,39 @@ impl Light {
                 let length = towards.length();
                 let direction = single(towards / length);
                 let usable = length > 0.0 && length.is_finite();
-                usable.then_some(LightSight { direction, distance: None, color: self.power })
+                let color = self.power.map(|power| saturated(power.into()));
+                usable.then_some(LightSight { direction, distance: None, color })
+            }
+        }
+    }
+
+    /// The ray from a point of a surface, its normal given, to the light; none where the light has no
+    /// direction.
+    #[inline]
+    pub(crate) fn ray_from(&self, point: DVec3, normal: [f32; 3]) -> Option<PreparedRay> {
+        match self.kind {
+            LightKind::Point { position } => PreparedRay::to(point, normal, double(position)),
+            LightKind::Directional { direction } => {
+                let towards = (-double(direction)).try_normalize()?;
+                Some(PreparedRay::leaving(point, normal, towards))
             }
         }
     }
 
     /// Where light that goes through `point` along `-towards` starts: the light itself, or a point
     /// `reach` away for a light at infinity.
-    pub(crate) fn origin(&self, point: DVec3, towards: [f32; 3], reach: f64) -> DVec3 {
+    pub(crate) fn origin(&self, point: DVec3, towards: DVec3, reach: f64) -> DVec3 {
         match self.kind {
             LightKind::Point { position } => double(position),
-            LightKind::Directional { .. } => point + double(towards) * reach,
+            LightKind::Directional { .. } => point + towards * reach,
         }
     }
+}
+
+/// At most the limit, of either sign.
+fn saturated(light: f64) -> f32 {
+    let limit = f64::from(LIGHT_LIMIT);
+    light.clamp(-limit, limit) as f32
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use phenomenon_compiler::state::{RayType, State};
 
 use super::clock::{Clock, Who};
 use super::lighting::Occluder;
-use super::points::{Waiting, environment_state, hit_state, ray_origin, unit_direction};
+use super::points::{Waiting, environment_state, hit_state, prepared, unit_direction};
 use super::statistics::RayCounts;
 use crate::geometry::PreparedRay;
 use crate::lights::Environment;
@@ -110,15 +110,14 @@ impl<'s> Context<'s> {
                 _ => ray.direction,
             };
             let Some(direction) = unit_direction(asked) else { continue };
-            let Some(origin) = self.admit(ray_type, ray, direction) else {
+            let Some(prepared) = self.admit(ray_type, ray, direction) else {
                 scratch.missed.push((slot as u32, direction));
                 continue;
             };
-            let prepared = PreparedRay::new(origin, direction);
             match self.scene.intersect(&prepared, f64::INFINITY) {
                 Some(hit) => {
                     let material = self.scene.material_at(&hit);
-                    let slot = slot as u32;
+                    let (slot, origin) = (slot as u32, prepared.origin);
                     scratch.waiting.push(Waiting { slot, material, origin, direction, hit });
                 }
                 None => scratch.missed.push((slot as u32, direction)),
@@ -129,15 +128,15 @@ impl<'s> Context<'s> {
         self.look_up_environment(rays, answers, scratch);
     }
 
-    /// Counts a ray and says where it starts; none if it may not be traced.
+    /// Counts a ray and makes it ready; none if it may not be traced.
     #[inline]
-    fn admit(&mut self, ray_type: RayType, ray: &Ray, direction: [f32; 3]) -> Option<[f32; 3]> {
+    fn admit(&mut self, ray_type: RayType, ray: &Ray, direction: [f32; 3]) -> Option<PreparedRay> {
         let (reflections, refractions) = (ray.state.reflection_level, ray.state.refraction_level);
         let depth = &self.scene.depth;
         let (allowed, count) = match ray_type {
             RayType::Eye => {
                 self.counts.eye += 1;
-                return Some(ray.origin);
+                return Some(PreparedRay::new(ray.origin, direction));
             }
             RayType::Reflection => {
                 (depth.allows_reflection(reflections, refractions), &mut self.counts.reflection)
@@ -153,9 +152,9 @@ impl<'s> Context<'s> {
         if !allowed {
             return None;
         }
-        let origin = ray_origin(ray, direction)?;
+        let prepared = prepared(ray, direction)?;
         *count += 1;
-        Some(origin)
+        Some(prepared)
     }
 
     fn shade_hits(
@@ -258,9 +257,8 @@ impl<'s> Context<'s> {
         for (ray, answer) in rays.iter().zip(answers) {
             *answer = Answer::default();
             let Some(direction) = unit_direction(ray.direction) else { continue };
-            let Some(origin) = ray_origin(ray, direction) else { continue };
+            let Some(prepared) = prepared(ray, direction) else { continue };
             self.counts.probe += 1;
-            let prepared = PreparedRay::new(origin, direction);
             if let Some(hit) = self.scene.intersect(&prepared, f64::INFINITY) {
                 *answer = Answer { color: [0.0; 4], ok: true, hit: true, distance: hit.t as f32 };
             }

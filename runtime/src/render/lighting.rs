@@ -1,14 +1,15 @@
 //! What lights send to points, after shadows.
 
+use glam::DVec3;
 use phenomenon_compiler::effects::{LightList, LightSample};
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::state::{Hit, RayType, State};
+use phenomenon_compiler::state::{RayType, State};
 
 use super::context::{Context, Scratch};
-use super::points::place;
+use super::points::{note, place, precise_point};
 use crate::bvh::PrimitiveId;
-use crate::geometry::{PreparedRay, RawHit, double, single, spawn_origin};
-use crate::lights::{Light, LightSight};
+use crate::geometry::{RawHit, single};
+use crate::lights::Light;
 use crate::sampling::child_path;
 use crate::scene::Scene;
 
@@ -21,8 +22,6 @@ pub(super) struct Occluder {
     hit: RawHit,
     id: PrimitiveId,
     material: u32,
-    /// Whether its outside faces the point.
-    outwards: bool,
     /// Position of the point.
     point: u32,
 }
@@ -69,7 +68,7 @@ impl Context<'_> {
             }
             // Shadow shaders see their lights unshadowed: shadows of shadows would never end.
             let shadowed = point.ray_type != RayType::Shadow;
-            if shadowed && !self.gather_occluders(point, at as u32, &sight, scratch) {
+            if shadowed && !self.gather_occluders(point, at as u32, light, scratch) {
                 continue;
             }
             *color = sight.color;
@@ -83,34 +82,30 @@ impl Context<'_> {
         &mut self,
         state: &State,
         point: u32,
-        sight: &LightSight,
+        light: &Light,
         scratch: &mut Scratch,
     ) -> bool {
         self.counts.shadow += 1;
         let scene = self.scene;
-        let origin = spawn_origin(state.point, state.hit.error, state.normal_geom, sight.direction);
-        let ray = PreparedRay::new(origin, sight.direction);
-        let farthest = sight.distance.unwrap_or(f64::INFINITY);
+        // A light in the very place of the point has nothing before it.
+        let Some(ray) = light.ray_from(shadow_start(scene, state), state.normal_geom) else {
+            return true;
+        };
         let found = &mut scratch.found;
         found.clear();
         let mut clear = true;
-        scene.tree.every(&ray, farthest, |hit| {
+        scene.every(&ray, |hit| {
             let material = scene.material_at(&hit);
             clear = scene.materials.get(material as usize).is_some_and(|m| m.has_shadow);
             let id = scene.tree.id(hit.slot);
-            found.push(Occluder { hit, id, material, outwards: false, point });
+            found.push(Occluder { hit, id, material, point });
             clear
         });
         if !clear {
             return false;
         }
-        for occluder in &mut *found {
-            let outside = scene.surface(&ray, &occluder.hit).normal_geom;
-            let [x, y, z] = sight.direction;
-            occluder.outwards = outside[0] * x + outside[1] * y + outside[2] * z < 0.0;
-        }
         found.sort_unstable_by(|a, b| {
-            let facing = a.outwards.cmp(&b.outwards);
+            let facing = b.hit.inside.cmp(&a.hit.inside);
             let distance = a.hit.t.total_cmp(&b.hit.t);
             let instance = a.id.instance.cmp(&b.id.instance);
             distance.then(instance).then(facing).then(a.id.primitive.cmp(&b.id.primitive))
@@ -118,7 +113,7 @@ impl Context<'_> {
         // A ray through the edge of two triangles meets both, but passes one surface.
         found.dedup_by(|next, kept| {
             let place = |occluder: &Occluder| {
-                (occluder.hit.t.to_bits(), occluder.id.instance, occluder.outwards)
+                (occluder.hit.t.to_bits(), occluder.id.instance, occluder.hit.inside)
             };
             place(next) == place(kept)
         });
@@ -176,6 +171,11 @@ impl Context<'_> {
     }
 }
 
+/// Where the shadow rays of a point start.
+fn shadow_start(scene: &Scene, state: &State) -> DVec3 {
+    scene.shadow_start(&state.hit, precise_point(state), state.inv_normal)
+}
+
 /// The state at an occluder: the ray runs from the light to the point.
 fn shadow_state(
     scene: &Scene,
@@ -184,25 +184,21 @@ fn shadow_state(
     occluder: &Occluder,
     site: u64,
 ) -> State {
-    let sight = light.seen_from(point.point);
-    let towards = sight.map_or([0.0, 1.0, 0.0], |sight| sight.direction);
-    let origin = spawn_origin(point.point, point.hit.error, point.normal_geom, towards);
-    let ray = PreparedRay::new(origin, towards);
-    let surface = scene.surface(&ray, &occluder.hit);
+    let start = shadow_start(scene, point);
+    let ray = light.ray_from(start, point.normal_geom);
+    let towards = ray.map_or(DVec3::Y, |ray| ray.direction);
+    let surface = scene.surface(start, towards, &occluder.hit);
     let (center, radius) = scene.extent;
-    let reach = (double(origin) - center).length() + radius * 2.0;
-    let source = light.origin(double(origin), towards, reach);
+    let reach = (start - center).length() + radius * 2.0;
+    let source = light.origin(start, towards, reach);
     let mut state = *point;
     state.ray_type = RayType::Shadow;
     state.incoming = [1.0; 4];
     state.path = child_path(point.path, site);
-    place(&mut state, &surface, towards.map(|x| -x));
+    // The ray runs the other way than the one that found the occluder.
+    place(&mut state, &surface, !occluder.hit.inside, single(-towards));
     state.origin = single(source);
-    state.dist = (source - double(surface.point)).length() as f32;
-    state.hit = Hit {
-        instance: occluder.id.instance,
-        primitive: occluder.id.primitive,
-        error: surface.error,
-    };
+    state.dist = (source - surface.position).length() as f32;
+    state.hit = note(scene, &occluder.hit, &surface);
     state
 }

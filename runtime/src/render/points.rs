@@ -1,9 +1,10 @@
 //! From rays and hits to shading points.
 
+use glam::DVec3;
 use phenomenon_compiler::effects::Ray;
 use phenomenon_compiler::state::{Hit, RayType, State};
 
-use crate::geometry::{PreparedRay, RawHit, Surface, double, single, spawn_origin};
+use crate::geometry::{PreparedRay, RawHit, Surface, double, single};
 use crate::sampling::child_path;
 use crate::scene::Scene;
 
@@ -14,8 +15,8 @@ pub(super) struct Waiting {
     pub(super) slot: u32,
     /// Material it hit.
     pub(super) material: u32,
-    /// The ray.
-    pub(super) origin: [f32; 3],
+    /// Where the ray starts.
+    pub(super) origin: DVec3,
     /// Its unit direction.
     pub(super) direction: [f32; 3],
     /// Where it hit.
@@ -30,15 +31,25 @@ pub(super) fn unit_direction(direction: [f32; 3]) -> Option<[f32; 3]> {
     (length > 0.0 && length.is_finite()).then(|| single(long / length))
 }
 
-/// Where a ray asked for at a point starts: off the surface if at the point, else as given.
+/// The point of a state in double precision.
 #[inline]
-pub(super) fn ray_origin(ray: &Ray, direction: [f32; 3]) -> Option<[f32; 3]> {
+pub(super) fn precise_point(state: &State) -> DVec3 {
+    let position = DVec3::from(state.hit.position);
+    if single(position) == state.point { position } else { double(state.point) }
+}
+
+/// The ray asked for at a point: it leaves the surface if it starts at the point, else it starts in
+/// space as given. None where the start is not finite.
+#[inline]
+pub(super) fn prepared(ray: &Ray, direction: [f32; 3]) -> Option<PreparedRay> {
     let state = &ray.state;
-    let origin = match ray.origin == state.point {
-        true => spawn_origin(state.point, state.hit.error, state.normal_geom, direction),
-        false => ray.origin,
-    };
-    origin.iter().all(|x| x.is_finite()).then_some(origin)
+    if !ray.origin.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    Some(match ray.origin == state.point {
+        true => PreparedRay::leaving(precise_point(state), state.normal_geom, double(direction)),
+        false => PreparedRay::new(ray.origin, direction),
+    })
 }
 
 /// What a ray hands on to the point it hits, levels and path already counted up.
@@ -62,9 +73,8 @@ pub(super) fn child(ray: &Ray, ray_type: RayType) -> State {
 
 /// Puts a surface, turned to the side the ray came from, into a state.
 #[inline]
-pub(super) fn place(state: &mut State, surface: &Surface, direction: [f32; 3]) {
+pub(super) fn place(state: &mut State, surface: &Surface, inside: bool, direction: [f32; 3]) {
     let dot = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let inside = dot(surface.normal_geom, direction) > 0.0;
     let turned = |normal: [f32; 3]| if inside { normal.map(|x| -x) } else { normal };
     state.direction = direction;
     state.point = surface.point;
@@ -80,15 +90,21 @@ pub(super) fn place(state: &mut State, surface: &Surface, direction: [f32; 3]) {
 /// The state at the point a ray hit.
 #[inline]
 pub(super) fn hit_state(scene: &Scene, ray: &Ray, ray_type: RayType, waiting: &Waiting) -> State {
-    let prepared = PreparedRay::new(waiting.origin, waiting.direction);
-    let surface = scene.surface(&prepared, &waiting.hit);
+    let surface = scene.surface(waiting.origin, double(waiting.direction), &waiting.hit);
     let mut state = child(ray, ray_type);
-    place(&mut state, &surface, waiting.direction);
-    state.origin = waiting.origin;
+    place(&mut state, &surface, waiting.hit.inside, waiting.direction);
+    state.origin = single(waiting.origin);
     state.dist = waiting.hit.t as f32;
-    let id = scene.tree.id(waiting.hit.slot);
-    state.hit = Hit { instance: id.instance, primitive: id.primitive, error: surface.error };
+    state.hit = note(scene, &waiting.hit, &surface);
     state
+}
+
+/// What the renderer notes of a hit.
+#[inline]
+pub(super) fn note(scene: &Scene, hit: &RawHit, surface: &Surface) -> Hit {
+    let id = scene.tree.id(hit.slot);
+    let position = surface.position.to_array();
+    Hit { instance: id.instance, primitive: id.primitive, position }
 }
 
 /// The state of an environment lookup.

@@ -5,13 +5,14 @@ use std::sync::{Arc, PoisonError, RwLock};
 use glam::DVec3;
 use phenomenon_compiler::engine::Shade;
 use phenomenon_compiler::graph::RootKind;
+use phenomenon_compiler::state::Hit;
 
 use super::depth::TraceDepth;
 use crate::bvh::{PrimitiveId, Tree, TreeError};
 use crate::camera::Camera;
 use crate::geometry::{
-    COORDINATE_LIMIT, Instance, Mesh, MeshError, PreparedRay, Primitive, RawHit, Shape, Sphere,
-    Surface, Transform, double, single,
+    COORDINATE_LIMIT, Instance, Mesh, MeshError, PreparedRay, Primitive, RawHit, ShadowTerminator,
+    Shape, Sphere, Surface, Transform, double, single,
 };
 use crate::lights::{Environment, Light};
 use crate::texture::{TextureError, Textures};
@@ -127,16 +128,28 @@ impl SceneBuilder {
         }
         let id = PrimitiveId { instance: self.instances.len() as u32, primitive: 0 };
         self.primitives.push((id, Primitive::Sphere(Sphere { center, radius })));
-        self.instances.push(Instance { shape: Shape::Sphere, material });
+        let terminator = ShadowTerminator::default();
+        self.instances.push(Instance { shape: Shape::Sphere, material, terminator });
         Ok(self)
     }
 
-    /// Adds a mesh.
+    /// Adds a mesh. Where it has normals, its own shadow ends as on a round surface.
     pub fn mesh(
         &mut self,
         mesh: &Mesh,
         transform: &Transform,
         material: u32,
+    ) -> Result<&mut Self, SceneError> {
+        self.mesh_with(mesh, transform, material, ShadowTerminator::default())
+    }
+
+    /// Adds a mesh whose own shadow ends as said.
+    pub fn mesh_with(
+        &mut self,
+        mesh: &Mesh,
+        transform: &Transform,
+        material: u32,
+        terminator: ShadowTerminator,
     ) -> Result<&mut Self, SceneError> {
         let mesh = mesh.transformed(transform)?;
         let instance = self.instances.len() as u32;
@@ -144,7 +157,7 @@ impl SceneBuilder {
             let id = PrimitiveId { instance, primitive: number as u32 };
             (id, Primitive::Triangle(mesh.vertices(number)))
         }));
-        self.instances.push(Instance { shape: Shape::Mesh(Arc::new(mesh)), material });
+        self.instances.push(Instance { shape: Shape::Mesh(Arc::new(mesh)), material, terminator });
         Ok(self)
     }
 
@@ -189,18 +202,39 @@ impl SceneBuilder {
 }
 
 impl Scene {
-    /// Nearest hit of a ray at a distance above 0 and at most `farthest`.
+    /// Nearest hit past the ray's start and at most `farthest` away.
     #[inline]
     pub fn intersect(&self, ray: &PreparedRay, farthest: f64) -> Option<RawHit> {
         self.tree.nearest(ray, farthest)
     }
 
-    /// The surface at a hit.
+    /// Gives `found` every hit past the ray's start and before its end, in no order, until it
+    /// returns false.
     #[inline]
-    pub fn surface(&self, ray: &PreparedRay, hit: &RawHit) -> Surface {
+    pub fn every(&self, ray: &PreparedRay, found: impl FnMut(RawHit) -> bool) {
+        self.tree.every(ray, ray.reach(), found);
+    }
+
+    /// The surface where the ray from `origin` along `direction` hit.
+    #[inline]
+    pub fn surface(&self, origin: DVec3, direction: DVec3, hit: &RawHit) -> Surface {
         let id = self.tree.id(hit.slot);
         let shape = &self.instances[id.instance as usize].shape;
-        Surface::at(ray, hit, self.tree.primitive(hit.slot), shape, id.primitive)
+        Surface::at((origin, direction), hit, self.tree.primitive(hit.slot), shape, id.primitive)
+    }
+
+    /// Where a shadow ray from a point of a surface starts: the point itself, or lifted off a facet
+    /// that stands for a round surface.
+    #[inline]
+    pub(crate) fn shadow_start(&self, hit: &Hit, point: DVec3, inside: bool) -> DVec3 {
+        match self.instances.get(hit.instance as usize) {
+            Some(Instance { shape: Shape::Mesh(mesh), terminator, .. })
+                if *terminator == ShadowTerminator::Smooth =>
+            {
+                mesh.lifted(hit.primitive, point, inside)
+            }
+            _ => point,
+        }
     }
 
     /// Position of the material at a hit.

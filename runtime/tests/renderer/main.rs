@@ -4,6 +4,7 @@ mod answers;
 mod invariance;
 mod lighting;
 mod scene_files;
+mod self_intersection;
 mod shaders;
 mod surfaces;
 mod tree;
