@@ -4,4 +4,4 @@ mod environment;
 mod light;
 
 pub use environment::{Environment, EnvironmentImage};
-pub use light::{Light, LightKind, LightSight};
+pub use light::{LIGHT_LIMIT, Light, LightKind, LightSight};

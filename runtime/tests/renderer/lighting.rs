@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use phenomenon_compiler::effects::{LightSample, Renderer};
 use phenomenon_compiler::state::{RayType, State};
-use phenomenon_runtime::geometry::{Mesh, Transform};
+use phenomenon_runtime::geometry::{Mesh, ShadowTerminator, Transform};
 use phenomenon_runtime::lights::{Light, LightKind};
-use phenomenon_runtime::render::Context;
+use phenomenon_runtime::render::{Context, Settings, render};
 use phenomenon_runtime::scene::{Scene, SceneBuilder};
 
-use crate::shaders::{Hand, builder, each, normals};
+use crate::shaders::{Hand, ball, builder, dot, each, looking_from, normals, recorder};
 
 fn sun() -> Light {
     let kind = LightKind::Directional { direction: [0.0, -1.0, 0.0] };
@@ -143,4 +143,55 @@ fn what_lies_behind_a_lamp_casts_no_shadow() {
     });
     assert_eq!(colors(&scene, &["lamp"], 0, &[floor_state(0.0)]), [[1.0; 3]]);
     assert_eq!(colors(&scene, &["sun"], 0, &[floor_state(0.0)]), [[0.0; 3]]);
+}
+
+/// Of the points of a coarse round mesh that face the light, those that lie in shadow.
+fn dark_points(scale: f64, turned: f64, terminator: ShadowTerminator) -> (usize, usize) {
+    let mut mesh = ball(1);
+    mesh.smooth();
+    let transform = Transform::new([scale; 3], [0.0, turned, 0.0], [0.0; 3]);
+    let mut builder = SceneBuilder::new(looking_from([0.0, 0.0, 3.0 * scale]));
+    let (hand, seen) = recorder();
+    let material = builder.material(hand);
+    builder.mesh_with(&mesh, &transform, material, terminator).unwrap();
+    let kind = LightKind::Directional { direction: [-1.0, -0.35, -0.2] };
+    builder.light(Light { name: "sun".into(), power: [1.0; 3], kind });
+    let scene = builder.build().unwrap();
+    let whole = Settings::default();
+    let settings = Settings { width: 64, height: 64, samples: 1, threads: 1, ..whole };
+    render(&scene, &settings, &|_, _| {}).unwrap();
+    let sun = [1.0f32, 0.35, 0.2].map(|x| x / 1.078_f32);
+    let lit: Vec<State> = std::mem::take(&mut *seen.lock().unwrap())
+        .into_iter()
+        .filter(|state| dot(state.normal, sun) > 0.01)
+        .collect();
+    let colors = colors(&scene, &[], 0, &lit);
+    (colors.iter().filter(|color| **color == [0.0; 3]).count(), lit.len())
+}
+
+#[test]
+fn a_coarse_round_mesh_shows_no_facets_where_light_ends() {
+    for scale in [1e-6, 1.0, 1e6] {
+        for turned in [0.0, 10.0, 37.0, 80.0] {
+            let (dark, of) = dark_points(scale, turned, ShadowTerminator::Smooth);
+            assert!(of > 300, "only {of} points face the light");
+            assert_eq!(dark, 0, "scale {scale} turned {turned}: of {of}");
+            let (dark, of) = dark_points(scale, turned, ShadowTerminator::Facets);
+            assert!(dark > of / 50, "scale {scale} turned {turned}: {dark} of {of}");
+        }
+    }
+}
+
+#[test]
+fn light_from_next_to_nothing_away_is_finite() {
+    for distance in [1e-45_f32, 1e-30, 1e-20, 1e-10] {
+        let kind = LightKind::Point { position: [0.0, distance, 0.0] };
+        let mut builder = builder();
+        builder.light(Light { name: "near".into(), power: [4.0, 1e30, 1e-40], kind });
+        let scene = builder.build().unwrap();
+        let points = [floor_state(0.0), floor_state(1e-6), floor_state(0.5), floor_state(1e12)];
+        for color in colors(&scene, &[], 0, &points).into_iter().flatten() {
+            assert!((0.0..=phenomenon_runtime::lights::LIGHT_LIMIT).contains(&color), "{color}");
+        }
+    }
 }

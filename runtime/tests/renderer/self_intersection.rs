@@ -207,7 +207,7 @@ fn close_panes_and_thin_shells_are_told_apart() {
     let build = |builder: &mut SceneBuilder, numbers: &mut Numbers, size: f64| {
         let material = builder.material(normals());
         // A pane and a second one above it, both in planes of coordinates.
-        let gap = size * decades(numbers, -7.0..-3.0);
+        let gap = size * decades(numbers, -12.0..-3.0);
         for height in [0.0, gap] {
             let mut mesh = Mesh::rectangle(size as f32, size as f32);
             for position in &mut mesh.positions {
@@ -226,10 +226,11 @@ fn close_panes_and_thin_shells_are_told_apart() {
             f64::INFINITY,
         );
         let gap = other.expect("the other pane is met").t;
-        assert!(gap > 0.9e-7 * size && gap < 1.1e-3 * size, "{first:?}: {gap} of {size}");
+        assert!(gap > 0.9e-12 * size && gap < 1.1e-3 * size, "{first:?}: {gap} of {size}");
         if let Some(second) = second {
             let expected = gap / direction.y.abs();
-            assert!((second.t - expected).abs() <= 1e-6 * expected, "{} {expected}", second.t);
+            let error = 1e-6 * expected + 1e-12 * size / direction.y.abs();
+            assert!((second.t - expected).abs() <= error, "{} {expected}", second.t);
         }
     });
 }
@@ -272,6 +273,38 @@ fn what_a_light_touches_does_not_shadow_it() {
                 true
             });
             assert_eq!(met, 1, "size {size}: {above} from {floor}");
+        }
+    }
+}
+
+#[test]
+fn a_lamp_on_a_ball_is_shadowed_by_what_lies_before_it_alone() {
+    let mut numbers = Numbers(6);
+    for _ in 0..rays() / 100 {
+        let size = decades(&mut numbers, -6.0..6.0) as f32;
+        let mut builder = builder();
+        let material = builder.material(normals());
+        builder.sphere([0.0; 3], size.into(), &Transform::default(), material).unwrap();
+        let scene = builder.build().unwrap();
+        let axis = (numbers.next() * 3.0) as usize;
+        let mut lamp = DVec3::ZERO;
+        lamp[axis] = f64::from(size) * signed(&mut numbers).signum();
+        let met = |from: DVec3| {
+            let ray = PreparedRay::to(from, [0.0; 3], lamp).unwrap();
+            let mut met = 0;
+            scene.every(&ray, |_| {
+                met += 1;
+                true
+            });
+            met
+        };
+        for _ in 0..20 {
+            let inside = vector(&mut numbers) * f64::from(size) * 0.5;
+            assert_eq!(met(inside), 0, "size {size}: {lamp} from {inside}");
+            let before = lamp * decades(&mut numbers, 0.1..3.0) + inside * 0.1;
+            assert_eq!(met(before), 0, "size {size}: {lamp} from {before}");
+            let behind = -before;
+            assert_eq!(met(behind), 1, "size {size}: {lamp} from {behind}");
         }
     }
 }
