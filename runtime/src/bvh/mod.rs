@@ -1,5 +1,6 @@
 //! The tree over all primitives of a scene.
 
+mod build;
 mod node;
 mod tree;
 

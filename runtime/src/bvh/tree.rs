@@ -1,20 +1,23 @@
 //! Building the tree, and finding the nearest hit or every hit of a ray.
 
-use glam::Vec3A;
-use obvhs::aabb::Aabb;
-use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::cwbvh::CwBvh;
 use obvhs::cwbvh::bvh2_to_cwbvh::bvh2_to_cwbvh;
-use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
+use super::build::{LEVELS_LIMIT, binary_tree};
 use super::node::BoxRay;
 use crate::geometry::{PreparedRay, Primitive, RawHit};
 
-/// Deepest tree that is traversed; the stack of a traversal has this many entries.
-const DEPTH_LIMIT: usize = 64;
+/// Entries of the stack of a traversal: one for every level of the tree, at most. A node of eight stands
+/// for one or more inner nodes of the binary tree in a row, so on no way down are there more of them than levels
+/// below the binary tree's root.
+const STACK: usize = LEVELS_LIMIT as usize;
 
 /// Most primitives of a scene.
 const PRIMITIVE_LIMIT: usize = 1 << 28;
+
+/// Bytes a primitive takes while the tree is built: its copy and its box here and in `build.rs`, two binary nodes, and in
+/// obvhs 14 decisions, its share of nodes, and its index.
+const BYTES_TO_BUILD: usize = 440;
 
 /// Why no tree could be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -22,9 +25,9 @@ pub enum TreeError {
     /// The scene has too many primitives.
     #[error("the scene has {0} primitives; the limit is {PRIMITIVE_LIMIT}")]
     TooManyPrimitives(usize),
-    /// The tree came out too deep.
-    #[error("the primitives nest too deeply for the tree ({0} levels; the limit is {DEPTH_LIMIT})")]
-    TooDeep(usize),
+    /// There is no memory for the tree.
+    #[error("there is not enough memory for a tree of {0} primitives")]
+    OutOfMemory(usize),
 }
 
 /// Which instance a primitive belongs to, and its number in it. Ordered: of two hits at the same
@@ -55,26 +58,14 @@ impl Tree {
         if primitives.is_empty() {
             return Ok(Self::default());
         }
-        let boxes: Vec<Aabb> = primitives
-            .iter()
-            .map(|(_, primitive)| {
-                let (low, high) = primitive.bounds();
-                Aabb::new(Vec3A::from(low), Vec3A::from(high))
-            })
-            .collect();
-        let mut binary = PlocBuilder::with_capacity(boxes.len()).build(
-            PlocSearchDistance::Medium,
-            &boxes,
-            (0..boxes.len() as u32).collect(),
-            SortPrecision::U64,
-            3,
-        );
-        ReinsertionOptimizer::default().run(&mut binary, 0.05, None);
+        let no_memory = |_| TreeError::OutOfMemory(primitives.len());
+        // obvhs takes its memory without asking. So all of it is asked for before, and given back.
+        let all = Vec::<u8>::new().try_reserve_exact(primitives.len() * BYTES_TO_BUILD);
+        all.map_err(no_memory)?;
+        let boxes: Vec<_> = primitives.iter().map(|(_, primitive)| primitive.bounds()).collect();
+        let binary = binary_tree(&boxes).map_err(no_memory)?;
+        drop(boxes);
         let nodes = bvh2_to_cwbvh(&binary, 3, true, false);
-        let depth = depth(&nodes);
-        if depth > DEPTH_LIMIT {
-            return Err(TreeError::TooDeep(depth));
-        }
         let at = |index: &u32| primitives[*index as usize];
         let (ids, primitives) = nodes.primitive_indices.iter().map(at).unzip();
         Ok(Self { nodes, primitives, ids })
@@ -155,7 +146,7 @@ impl Tree {
         }
         let boxes = BoxRay::new(ray.origin, ray.direction);
         let mut limit = (farthest as f32).next_up();
-        let mut stack = [(0_u32, 0_u32); DEPTH_LIMIT];
+        let mut stack = [(0_u32, 0_u32); STACK];
         let mut depth = 0;
         // Children still to visit: the first one's position, and a bit for each (upper byte, in
         // order of visit) over the bits of those that are inner nodes (lowest byte).
@@ -192,20 +183,4 @@ impl Tree {
             }
         }
     }
-}
-
-/// Levels of the tree.
-fn depth(tree: &CwBvh) -> usize {
-    let mut deepest = 0;
-    let mut open = vec![(0_u32, 1_usize)];
-    while let Some((index, level)) = open.pop() {
-        deepest = deepest.max(level);
-        let node = &tree.nodes[index as usize];
-        for child in 0..8 {
-            if node.imask & (1 << child) != 0 {
-                open.push((node.child_node_index(child), level + 1));
-            }
-        }
-    }
-    deepest
 }

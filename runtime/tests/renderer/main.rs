@@ -8,4 +8,5 @@ mod self_intersection;
 mod shaders;
 mod surfaces;
 mod tree;
+mod tree_shapes;
 mod watertight;
