@@ -19,7 +19,7 @@ use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::show::{MAX_BOXES, draw_svg};
 use phenomenon_compiler::specialise::{MAX_INSTANCES, MAX_NESTED_LOOPS};
 use phenomenon_runtime::film::{PIXEL_LIMIT, SIDE_LIMIT};
-use phenomenon_runtime::geometry::{COORDINATE_LIMIT, OBJ_BYTES_LIMIT};
+use phenomenon_runtime::geometry::{CONCAVE_CORNERS_LIMIT, COORDINATE_LIMIT, OBJ_BYTES_LIMIT};
 use phenomenon_runtime::render::SAMPLE_LIMIT;
 use phenomenon_runtime::scene::{DEPTH_LIMIT, read_scene};
 
@@ -88,8 +88,14 @@ const GRAPHS: [Limit; 14] = [
     ),
 ];
 
-const SCENES: [Limit; 6] = [
+const SCENES: [Limit; 7] = [
     limit("bytes of a mesh", OBJ_BYTES_LIMIT, "`file-too-large`", huge_mesh),
+    limit(
+        "corners of a concave face of a mesh",
+        CONCAVE_CORNERS_LIMIT as u64,
+        "`unusable-file`",
+        large_face,
+    ),
     limit("coordinates and lengths", FAR_AWAY, "`number-out-of-range`", far_away),
     limit(
         "pixels on a side of a picture",
@@ -405,6 +411,22 @@ fn huge_mesh(folder: &Path) -> String {
     sparse(&folder.join("huge.obj"), OBJ_BYTES_LIMIT + 1);
     let object = r#"{"mesh":"huge.obj","material":{"subject":true}}"#;
     scene(folder, object, "").unwrap()
+}
+
+fn large_face(folder: &Path) -> String {
+    let with = |corners: usize| {
+        // A comb: its teeth stand on the line below.
+        let vertex = |at: usize| match at {
+            0 | 1 => format!("v {} -1 0\n", if at == 0 { 0 } else { corners }),
+            at => format!("v {} {} 0\n", corners - at, at % 2),
+        };
+        let vertices: String = (0..corners).map(vertex).collect();
+        let indices: String = (1..=corners).map(|at| format!(" {at}")).collect();
+        std::fs::write(folder.join("comb.obj"), format!("{vertices}f{indices}\n")).unwrap();
+        scene(folder, r#"{"mesh":"comb.obj","material":{"subject":true}}"#, "")
+    };
+    assert_eq!(with(CONCAVE_CORNERS_LIMIT), None);
+    with(CONCAVE_CORNERS_LIMIT + 1).unwrap()
 }
 
 fn far_away(folder: &Path) -> String {

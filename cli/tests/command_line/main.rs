@@ -5,6 +5,7 @@ mod compare;
 mod completions;
 mod eval;
 mod input;
+mod meshes;
 mod nodes;
 mod outputs;
 mod program;

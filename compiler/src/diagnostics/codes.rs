@@ -146,6 +146,10 @@ codes! {
         "The numbers are each in range, but together they give no camera, light, object or transform: a camera that looks at itself, a transform that flattens, a sphere scaled unevenly.",
         wrong r#"{ "scene": "s", "camera": { "position": [0, 0, 5], "look_at": [0, 0, 5] }, "objects": [] }"#,
         right r#"{ "scene": "s", "camera": { "position": [0, 0, 5], "look_at": [0, 0, 0] }, "objects": [] }"#;
+    FLAT_TRIANGLES "flat-triangles" Note "Triangles without area",
+        "Some triangles of a mesh have their corners on one line, or in one place, exactly. No ray can meet them, so they are left out, and the picture is that of the others. Modelling programs leave such triangles behind; to be rid of them, merge vertices and dissolve what is degenerate before the mesh is saved.",
+        wrong "mesh.obj: … f 1 2 3 … f 1 1 2 …",
+        right "mesh.obj: … f 1 2 3 …";
     UNKNOWN_NODE_TYPE "unknown-node-type" Error "A node type that does not exist",
         "No node of this type is in the library. `phenomenon nodes` lists them all.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mixx" } }, "roots": { "material": { "node": "n" } } }"#,

@@ -1,6 +1,6 @@
 //! Triangle meshes.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, TryReserveError};
 
 use glam::DVec3;
 
@@ -61,6 +61,30 @@ pub enum MeshError {
     /// The transform flattens the mesh or is not finite.
     #[error("the transform is not finite or flattens the object")]
     IrregularTransform,
+    /// There is no memory for it.
+    #[error("there is not enough memory for the mesh")]
+    OutOfMemory,
+}
+
+impl From<TryReserveError> for MeshError {
+    fn from(_: TryReserveError) -> Self {
+        MeshError::OutOfMemory
+    }
+}
+
+/// Adds to a list whose length a file decides.
+pub(super) fn push<T>(list: &mut Vec<T>, element: T) -> Result<(), MeshError> {
+    list.try_reserve(1)?;
+    list.push(element);
+    Ok(())
+}
+
+/// A copy of a list whose length a file decides.
+fn copied<T: Copy>(list: &[T]) -> Result<Vec<T>, MeshError> {
+    let mut copy = Vec::new();
+    copy.try_reserve_exact(list.len())?;
+    copy.extend_from_slice(list);
+    Ok(copy)
 }
 
 impl Mesh {
@@ -98,7 +122,12 @@ impl Mesh {
         if !transform.is_regular() {
             return Err(MeshError::IrregularTransform);
         }
-        let mut mesh = self.clone();
+        let mut mesh = Mesh {
+            positions: copied(&self.positions)?,
+            normals: copied(&self.normals)?,
+            uvs: copied(&self.uvs)?,
+            triangles: copied(&self.triangles)?,
+        };
         for position in &mut mesh.positions {
             *position = single(transform.point(double(*position)));
         }
@@ -117,11 +146,22 @@ impl Mesh {
 
     /// Sets each vertex's normal to the mean of its triangles' normals weighted by their angles
     /// there; vertices at equal positions share one.
-    pub fn smooth(&mut self) {
+    ///
+    /// # Errors
+    /// There is no memory for them.
+    pub fn smooth(&mut self) -> Result<(), MeshError> {
+        self.smooth_where(|_| true)
+    }
+
+    /// The same by those triangles alone that `counts`; vertices of no such triangle have no normal.
+    pub(super) fn smooth_where(
+        &mut self,
+        counts: impl Fn(&[u32; 3]) -> bool,
+    ) -> Result<(), MeshError> {
         let mut sums: HashMap<[u32; 3], DVec3> = HashMap::new();
         // Adding 0 makes one key of 0 and -0.
         let key = |position: [f32; 3]| position.map(|x| (x + 0.0).to_bits());
-        for triangle in &self.triangles {
+        for triangle in self.triangles.iter().filter(|triangle| counts(triangle)) {
             let corners = triangle.map(|vertex| double(self.positions[vertex as usize]));
             let Some(normal) = unit((corners[1] - corners[0]).cross(corners[2] - corners[0]))
             else {
@@ -131,6 +171,7 @@ impl Mesh {
                 let first = corners[(at + 1) % 3] - corners[at];
                 let second = corners[(at + 2) % 3] - corners[at];
                 let angle = first.cross(second).length().atan2(first.dot(second));
+                sums.try_reserve(1)?;
                 *sums.entry(key(self.positions[triangle[at] as usize])).or_default() +=
                     normal * angle;
             }
@@ -138,7 +179,11 @@ impl Mesh {
         let normal = |position: &[f32; 3]| {
             sums.get(&key(*position)).and_then(|sum| unit(*sum)).map_or([0.0; 3], single)
         };
-        self.normals = self.positions.iter().map(normal).collect();
+        let mut normals = Vec::new();
+        normals.try_reserve_exact(self.positions.len())?;
+        normals.extend(self.positions.iter().map(normal));
+        self.normals = normals;
+        Ok(())
     }
 
     /// Swaps the winding of triangles that face against their vertices' normals.
@@ -254,7 +299,7 @@ mod tests {
             triangles: vec![[0, 1, 2], [3, 4, 5]],
             ..Mesh::default()
         };
-        mesh.smooth();
+        mesh.smooth().unwrap();
         assert_eq!(mesh.normals[0], mesh.normals[3]);
         assert_eq!(mesh.normals[2], mesh.normals[4]);
         assert_eq!(mesh.normals[1], [0.0, 0.0, 1.0]);

@@ -2,6 +2,7 @@
 
 mod mesh;
 mod obj;
+mod polygon;
 mod primitive;
 mod shape;
 mod sphere;
@@ -10,7 +11,8 @@ mod transform;
 mod triangle;
 
 pub use mesh::{Mesh, MeshError};
-pub use obj::{Normals, OBJ_BYTES_LIMIT, ObjError, read_obj};
+pub use obj::{Normals, OBJ_BYTES_LIMIT, ObjError, ObjFault, ObjMesh, parse_obj, read_obj};
+pub use polygon::CONCAVE_CORNERS_LIMIT;
 pub use primitive::{PreparedRay, Primitive, RawHit, double, single};
 pub use shape::{Instance, Shape, Surface};
 pub use sphere::Sphere;

@@ -15,7 +15,8 @@ use super::description::{
     GraphUse, MaterialRef, MaterialSource, ObjectDescription, Override, ShapeDescription,
 };
 use super::file::{section, vector};
-use crate::geometry::{Mesh, Normals, ObjError, Transform, read_obj};
+use super::meshes::Meshes;
+use crate::geometry::{Mesh, Normals, Transform};
 
 pub(super) fn objects<'d>(
     reader: &mut Reader<'d>,
@@ -24,9 +25,10 @@ pub(super) fn objects<'d>(
     uses: &mut Vec<GraphUse>,
 ) -> Option<Vec<ObjectDescription>> {
     let elements = reader.list(value, "`objects`")?;
+    let mut meshes = Meshes::default();
     // Every object is read, so that every mistake is found.
     let objects: Vec<_> =
-        elements.iter().map(|value| object(reader, value, folder, uses)).collect();
+        elements.iter().map(|value| object(reader, value, folder, &mut meshes, uses)).collect();
     let mut named: HashMap<&str, &Value> = HashMap::new();
     for name in elements.iter().filter_map(|object| object.get("name")) {
         let ValueKind::String(text) = &name.kind else { continue };
@@ -48,6 +50,7 @@ fn object<'d>(
     reader: &mut Reader<'d>,
     value: &'d Value,
     folder: &Path,
+    meshes: &mut Meshes,
     uses: &mut Vec<GraphUse>,
 ) -> Option<ObjectDescription> {
     let object = section(reader, value, &OBJECT)?;
@@ -55,7 +58,7 @@ fn object<'d>(
     if let Some(value) = object.optional("doc") {
         reader.string(value, "`doc`");
     }
-    let shape = shape(reader, &object, folder);
+    let shape = shape(reader, &object, folder, meshes);
     let transform = match object.optional("transform") {
         Some(value) => transform(reader, value),
         None => Some(Transform::default()),
@@ -79,6 +82,7 @@ fn shape<'d>(
     reader: &mut Reader<'d>,
     object: &Object<'d>,
     folder: &Path,
+    meshes: &mut Meshes,
 ) -> Option<(&'static str, ShapeDescription)> {
     let flat = [("smooth", Normals::Smooth), ("flat", Normals::Flat)];
     let normals = match object.optional("normals") {
@@ -110,8 +114,9 @@ fn shape<'d>(
             ShapeDescription::Sphere { center: center?, radius: radius? }
         }
         "mesh" => {
-            let mesh = mesh(reader, value, smooth_or_flat, folder)?;
-            normals.map(|_| ShapeDescription::Mesh(Arc::new(mesh)))?
+            let path = file_path(reader, value, "`mesh`", folder)?;
+            let mesh = meshes.read(reader, value, &path, smooth_or_flat)?;
+            normals.map(|_| ShapeDescription::Mesh(mesh))?
         }
         _ => {
             let object = section(reader, value, &RECTANGLE)?;
@@ -124,28 +129,6 @@ fn shape<'d>(
         }
     };
     Some((kind, shape))
-}
-
-fn mesh<'d>(
-    reader: &mut Reader<'d>,
-    value: &'d Value,
-    normals: Normals,
-    folder: &Path,
-) -> Option<Mesh> {
-    let path = file_path(reader, value, "`mesh`", folder)?;
-    match read_obj(&path, normals) {
-        Ok(mesh) => Some(mesh),
-        Err(error) => {
-            let code = match error {
-                ObjError::Unreadable { .. } => Code::UNREADABLE_FILE,
-                ObjError::TooLarge { .. } => Code::FILE_TOO_LARGE,
-                ObjError::Malformed { .. } | ObjError::BadMesh { .. } => Code::UNUSABLE_FILE,
-            };
-            let help = "give an OBJ file; its path starts at the scene's folder";
-            reader.report(code, value, error.to_string(), help);
-            None
-        }
-    }
 }
 
 /// `scale`, `rotate` and `translate`, applied in this order, or the three rows of a `matrix`.

@@ -17,7 +17,7 @@ fn scene(together: bool) -> Scene {
     builder.mesh(&Mesh::rectangle(20.0, 20.0), &lowered, floor).unwrap();
     builder.sphere([-0.8, 0.0, 0.0], 1.0, &Transform::default(), clear).unwrap();
     let mut smooth = ball(2);
-    smooth.smooth();
+    smooth.smooth().unwrap();
     let beside = Transform::new([0.7; 3], [0.0; 3], [1.2, -0.3, 0.5]);
     builder.mesh(&smooth, &beside, clear).unwrap();
     builder.sphere([0.5, 0.5, -2.0], 0.8, &Transform::default(), solid).unwrap();

@@ -3,6 +3,8 @@
 mod answers;
 mod invariance;
 mod lighting;
+mod meshes;
+mod polygons;
 mod scene_files;
 mod self_intersection;
 mod shaders;

@@ -112,7 +112,7 @@ fn meshes_far_from_the_origin_have_no_acne() {
 #[test]
 fn states_are_in_their_ranges() {
     let mut smooth = ball(2);
-    smooth.smooth();
+    smooth.smooth().unwrap();
     type Add = Box<dyn Fn(&mut SceneBuilder, u32)>;
     let shapes: [(&str, Add); 2] = [
         (

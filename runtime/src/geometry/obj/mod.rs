@@ -1,0 +1,10 @@
+//! OBJ files.
+
+mod attributes;
+mod faces;
+mod fault;
+mod read;
+mod statements;
+
+pub use fault::{ObjError, ObjFault};
+pub use read::{Normals, OBJ_BYTES_LIMIT, ObjMesh, parse_obj, read_obj};
