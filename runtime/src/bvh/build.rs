@@ -1,21 +1,23 @@
 //! Building the binary tree that is folded into the one rays go through.
 //!
-//! Boxes are split from the top down where the surface area heuristic (MacDonald and Booth 1990) expects the
-//! fewest tests: between 32 bins along each axis (Wald 2007), and between all orders of the centres once
-//! there are few. That alone is neither balanced nor fast: of boxes one within another it may cut off one at a
-//! time, and of equal boxes none. So every node has a *budget*, the most levels there may be below it. A
-//! split counts only if both sides could still be halved all the way down within the budget; where none
-//! does, the boxes are halved, by their order along the widest axis or, round one centre, by size.
+//! Boxes are split from the top down where the surface area heuristic (MacDonald and Booth 1990)
+//! expects the fewest tests: between 32 bins along each axis (Wald 2007), and between all orders of
+//! the centres once there are few. That alone is neither balanced nor fast: of boxes one within
+//! another it may cut off one at a time, and of equal boxes none. So every node has a *budget*, the
+//! most levels there may be below it. A split counts only if both sides could still be halved all
+//! the way down within the budget; where none does, the boxes are halved, by their order along the
+//! widest axis or, round one centre, by size.
 //!
-//! *Depth.* Let b(n) be the least number of times n is halved, rounded up, until 1 is left. A node of n boxes is
-//! entered with a budget of at least b(n): the root by [`budget`], a side of a split that counts by the rule,
-//! a half because b of half of n, rounded up, is b(n) - 1. A node of one box has no children, and every level takes 1 of the
-//! budget. So no leaf is deeper than the root's budget, 2 b(n) + 16 and at most [`LEVELS_LIMIT`], whatever the boxes.
+//! *Depth.* Let b(n) be the least number of times n is halved, rounded up, until 1 is left. A node
+//! of n boxes is entered with a budget of at least b(n): the root by [`budget`], a side of a split
+//! that counts by the rule, a half because b of half of n, rounded up, is b(n) - 1. A node of one
+//! box has no children, and every level takes 1 of the budget. So no leaf is deeper than the root's
+//! budget, 2 b(n) + 16 and at most [`LEVELS_LIMIT`], whatever the boxes.
 //!
-//! *Time.* A level looks at each box a fixed number of times: bounds, bins, one partition or the selection of a
-//! median. (Sorting happens for at most [`FEW`] boxes.) There are at most 2 b(n) + 17 levels: n log n, whatever the boxes.
+//! *Time.* A level looks at each box a fixed number of times: bounds, bins, one partition or the
+//! selection of a median. (Sorting happens for at most [`FEW`] boxes.) There are at most 2 b(n) +
+//! 17 levels: n log n, whatever the boxes.
 
-use std::cmp::Ordering;
 use std::collections::TryReserveError;
 
 use glam::{DVec3, Vec3A};
@@ -23,89 +25,13 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 
+use super::split::{Bins, Bounds, FEW, How, Item, Split, along, best_bin, best_of_few, centers};
+
 /// Most levels below the root.
 pub(super) const LEVELS_LIMIT: u32 = 60;
 
-/// Bins along an axis.
-const BINS: usize = 32;
-
-/// So few boxes are split in the best place of all.
-const FEW: usize = 16;
-
 /// From so many boxes on, the two sides are built in parallel.
 const MANY: usize = 8192;
-
-/// Primitives before their order is known.
-#[derive(Clone, Copy, Debug)]
-struct Item {
-    low: [f32; 3],
-    high: [f32; 3],
-    index: u32,
-}
-
-impl Item {
-    /// Twice the centre, in f64 so that no two sums overflow or coincide by rounding.
-    fn center(&self, axis: usize) -> f64 {
-        f64::from(self.low[axis]) + f64::from(self.high[axis])
-    }
-}
-
-/// A box that grows.
-#[derive(Clone, Copy, Debug)]
-struct Bounds {
-    low: [f32; 3],
-    high: [f32; 3],
-}
-
-impl Bounds {
-    const EMPTY: Self = Self { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
-
-    fn grow(&mut self, low: &[f32; 3], high: &[f32; 3]) {
-        for axis in 0..3 {
-            self.low[axis] = self.low[axis].min(low[axis]);
-            self.high[axis] = self.high[axis].max(high[axis]);
-        }
-    }
-
-    /// Half its surface, in f64 so that nothing vanishes or overflows.
-    fn area(&self) -> f64 {
-        let side = |axis: usize| f64::from(self.high[axis]) - f64::from(self.low[axis]);
-        let (x, y, z) = (side(0), side(1), side(2));
-        x * y + y * z + z * x
-    }
-}
-
-/// Where a list of boxes is split, and how.
-#[derive(Clone, Copy, Debug)]
-struct Split {
-    /// Tests to expect, up to what all splits of the list have in common.
-    cost: f64,
-    axis: usize,
-    /// How many come first.
-    count: usize,
-    how: How,
-}
-
-impl Split {
-    /// Takes the place of a worse one; of equally good ones, the most even is best.
-    fn compete(self, best: &mut Option<Split>, all: usize) {
-        let unevenness = |split: &Split| (2 * split.count).abs_diff(all);
-        let is_better = best.is_none_or(|best| {
-            self.cost < best.cost || self.cost == best.cost && unevenness(&self) < unevenness(&best)
-        });
-        if is_better {
-            *best = Some(self);
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-enum How {
-    /// Boxes of bins up to this one come first.
-    Bin(usize),
-    /// Boxes are sorted.
-    Sorted,
-}
 
 /// How many levels there may be below a node of that many boxes that is the root.
 fn budget(count: usize) -> u32 {
@@ -113,11 +39,12 @@ fn budget(count: usize) -> u32 {
 }
 
 /// How often a number is halved, rounded up, until 1 is left.
-fn halvings(count: usize) -> u32 {
+pub(super) fn halvings(count: usize) -> u32 {
     count.next_power_of_two().trailing_zeros()
 }
 
-/// A binary tree of boxes, one to a leaf. There is at least one box, and no coordinate is infinite or no number.
+/// A binary tree of boxes, one to a leaf. There is at least one box, and no coordinate is infinite
+/// or no number.
 pub(super) fn binary_tree(boxes: &[([f32; 3], [f32; 3])]) -> Result<Bvh2, TryReserveError> {
     let mut items = Vec::new();
     items.try_reserve_exact(boxes.len())?;
@@ -191,7 +118,8 @@ impl Part<'_> {
     }
 }
 
-/// Orders at least two boxes so that the first so many are one side, and as many others as can be halved within the budget the other.
+/// Orders at least two boxes so that the first so many are one side, and as many others as can be
+/// halved within the budget the other.
 fn divide(items: &mut [Item], budget: u32) -> usize {
     let (low, high) = centers(items);
     let split = match items.len() <= FEW {
@@ -216,18 +144,8 @@ fn divide(items: &mut [Item], budget: u32) -> usize {
     }
 }
 
-/// The smallest and largest centre along each axis.
-fn centers(items: &[Item]) -> (DVec3, DVec3) {
-    let all = || items.iter().map(|item| DVec3::from([0, 1, 2].map(|axis| item.center(axis))));
-    (all().fold(DVec3::INFINITY, DVec3::min), all().fold(DVec3::NEG_INFINITY, DVec3::max))
-}
-
-/// By centre, and then by number, so that the order never depends on chance.
-fn along(axis: usize, a: &Item, b: &Item) -> Ordering {
-    a.center(axis).total_cmp(&b.center(axis)).then(a.index.cmp(&b.index))
-}
-
-/// Puts the lesser half first: along the axis the centres differ most on, or the smaller boxes where all have one centre.
+/// Puts the lesser half first: along the axis the centres differ most on, or the smaller boxes
+/// where all have one centre.
 fn halve(items: &mut [Item], low: DVec3, high: DVec3) {
     let width = high - low;
     let middle = items.len() / 2;
@@ -254,101 +172,15 @@ fn partition(items: &mut [Item], is_first: impl Fn(&Item) -> bool) -> usize {
     count
 }
 
-/// Equal stretches of an axis.
-#[derive(Clone, Copy, Debug)]
-struct Bins {
-    low: f64,
-    scale: f64,
-}
-
-impl Bins {
-    fn new(low: f64, high: f64) -> Self {
-        Self { low, scale: BINS as f64 / (high - low) }
-    }
-
-    /// The bin of a centre; a centre further along is in no lower bin.
-    fn of(self, center: f64) -> usize {
-        (((center - self.low) * self.scale) as usize).min(BINS - 1)
-    }
-}
-
-/// Whether both sides could still be halved all the way down.
-fn fits(first: usize, second: usize, budget: u32) -> bool {
-    halvings(first.max(second)) <= budget
-}
-
-/// The best split between two bins, of those the budget allows.
-fn best_bin(items: &[Item], low: DVec3, high: DVec3, budget: u32) -> Option<Split> {
-    let mut best: Option<Split> = None;
-    for axis in (0..3).filter(|&axis| high[axis] > low[axis]) {
-        let bins = Bins::new(low[axis], high[axis]);
-        let mut filled = [(Bounds::EMPTY, 0_usize); BINS];
-        for item in items {
-            let (bounds, count) = &mut filled[bins.of(item.center(axis))];
-            bounds.grow(&item.low, &item.high);
-            *count += 1;
-        }
-        // What lies behind each bin.
-        let mut behind = [(0.0, 0_usize); BINS];
-        let (mut bounds, mut count) = (Bounds::EMPTY, 0);
-        for bin in (0..BINS - 1).rev() {
-            let (of, more) = &filled[bin + 1];
-            bounds.grow(&of.low, &of.high);
-            count += more;
-            behind[bin] = (if count == 0 { 0.0 } else { bounds.area() }, count);
-        }
-        let (mut bounds, mut count) = (Bounds::EMPTY, 0);
-        for bin in 0..BINS - 1 {
-            let (of, more) = &filled[bin];
-            bounds.grow(&of.low, &of.high);
-            count += more;
-            let (area, others) = behind[bin];
-            if count == 0 || others == 0 || !fits(count, others, budget) {
-                continue;
-            }
-            let cost = bounds.area() * count as f64 + area * others as f64;
-            Split { cost, axis, count, how: How::Bin(bin) }.compete(&mut best, items.len());
-        }
-    }
-    best
-}
-
-/// The best split of few boxes in any order of centres, of those the budget allows.
-fn best_of_few(items: &[Item], budget: u32) -> Option<Split> {
-    let mut sorted = [items[0]; FEW];
-    let sorted = &mut sorted[..items.len()];
-    sorted.copy_from_slice(items);
-    let mut best: Option<Split> = None;
-    for axis in 0..3 {
-        sorted.sort_unstable_by(|a, b| along(axis, a, b));
-        let mut behind = [0.0; FEW];
-        let mut bounds = Bounds::EMPTY;
-        for at in (1..sorted.len()).rev() {
-            bounds.grow(&sorted[at].low, &sorted[at].high);
-            behind[at] = bounds.area();
-        }
-        let mut bounds = Bounds::EMPTY;
-        for count in 1..sorted.len() {
-            bounds.grow(&sorted[count - 1].low, &sorted[count - 1].high);
-            let others = sorted.len() - count;
-            if !fits(count, others, budget) {
-                continue;
-            }
-            let cost = bounds.area() * count as f64 + behind[count] * others as f64;
-            Split { cost, axis, count, how: How::Sorted }.compete(&mut best, items.len());
-        }
-    }
-    best
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     type Box3 = ([f32; 3], [f32; 3]);
 
-    /// Levels below the root, and how often a box lies in an inner node: what building costs, up to a
-    /// factor. On the way every node is found to hold its children, and every box to be in one leaf.
+    /// Levels below the root, and how often a box lies in an inner node: what building costs, up to
+    /// a factor. On the way every node is found to hold its children, and every box to be in one
+    /// leaf.
     fn measured(boxes: &[Box3]) -> (u32, u64) {
         let tree = binary_tree(boxes).unwrap();
         let (mut deepest, mut looks) = (0, 0);

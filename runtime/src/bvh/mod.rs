@@ -2,6 +2,7 @@
 
 mod build;
 mod node;
+mod split;
 mod tree;
 
 pub use tree::{PrimitiveId, Tree, TreeError};

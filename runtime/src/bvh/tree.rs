@@ -7,16 +7,16 @@ use super::build::{LEVELS_LIMIT, binary_tree};
 use super::node::BoxRay;
 use crate::geometry::{PreparedRay, Primitive, RawHit};
 
-/// Entries of the stack of a traversal: one for every level of the tree, at most. A node of eight stands
-/// for one or more inner nodes of the binary tree in a row, so on no way down are there more of them than levels
-/// below the binary tree's root.
+/// Entries of the stack of a traversal: one for every level of the tree, at most. A node of eight
+/// stands for one or more inner nodes of the binary tree in a row, so on no way down are there more
+/// of them than levels below the binary tree's root.
 const STACK: usize = LEVELS_LIMIT as usize;
 
 /// Most primitives of a scene.
 const PRIMITIVE_LIMIT: usize = 1 << 28;
 
-/// Bytes a primitive takes while the tree is built: its copy and its box here and in `build.rs`, two binary nodes, and in
-/// obvhs 14 decisions, its share of nodes, and its index.
+/// Bytes a primitive takes while the tree is built: its copy and its box here and in `build.rs`,
+/// two binary nodes, and in obvhs 14 decisions, its share of nodes, and its index.
 const BYTES_TO_BUILD: usize = 440;
 
 /// Why no tree could be built.

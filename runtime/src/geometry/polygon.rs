@@ -1,10 +1,11 @@
 //! Cutting faces into triangles.
 //!
-//! A face is looked at in its own plane: along its area vector (Newell's normal), the sum of the cross
-//! products of its edges, which is the best plane there is where the corners do not lie in one. Seen so,
-//! a face whose fan from its first corner covers it is cut into that fan, and any other has its ears
-//! clipped. The signs that decide are those of exact arithmetic on the projected corners
-//! (`robust`, after Shewchuk), so the ears of a simple polygon never run out, as Meisters proved.
+//! A face is looked at in its own plane: along its area vector (Newell's normal), the sum of the
+//! cross products of its edges, which is the best plane there is where the corners do not lie in
+//! one. Seen so, a face whose fan from its first corner covers it is cut into that fan, and any
+//! other has its ears clipped. The signs that decide are those of exact arithmetic on the projected
+//! corners (`robust`, after Shewchuk), so the ears of a simple polygon never run out, as Meisters
+//! proved.
 
 use std::collections::{TryReserveError, VecDeque};
 
@@ -13,11 +14,13 @@ use robust::{Coord, orient2d};
 
 use super::primitive::double;
 
-/// Most corners of a face that is no fan: clipping ears takes, at worst, the square of their number.
+/// Most corners of a face that is no fan: clipping ears takes, at worst, the square of their
+/// number.
 pub const CONCAVE_CORNERS_LIMIT: usize = 16_384;
 
-/// Doubled area of an ear in parts of its longest edge squared, from which on it is clipped at once. Thinner
-/// ears wait: a corner that lies on an edge but for rounding had better become a corner of a wide triangle.
+/// Doubled area of an ear in parts of its longest edge squared, from which on it is clipped at
+/// once. Thinner ears wait: a corner that lies on an edge but for rounding had better become a
+/// corner of a wide triangle.
 const WIDE: f64 = 1e-3;
 
 /// Why a face could not be cut.
@@ -37,8 +40,8 @@ impl From<TryReserveError> for CutError {
 
 /// Whether three points lie on one line, or are not even three: decided exactly.
 pub(super) fn is_flat([a, b, c]: [[f32; 3]; 3]) -> bool {
-    // Products of these coordinates neither overflow nor underflow in f64. Points lie on one line if they
-    // do seen along every axis.
+    // Products of these coordinates neither overflow nor underflow in f64. Points lie on one line
+    // if they do seen along every axis.
     [(0, 1), (1, 2), (2, 0)].into_iter().all(|(x, y)| {
         let [a, b, c] = [a, b, c].map(|point| Coord { x: point[x], y: point[y] });
         orient2d(a, b, c) == 0.0
@@ -76,8 +79,8 @@ fn projected(corners: &[[f32; 3]]) -> Result<Option<Vec<Coord<f64>>>, CutError> 
     if largest == 0.0 {
         return Ok(None);
     }
-    // Scaled by a power of two, and no more: what is exact stays exact, so that corners on one line with
-    // round coordinates are seen on one line.
+    // Scaled by a power of two, and no more: what is exact stays exact, so that corners on one line
+    // with round coordinates are seen on one line.
     let power = f64::from_bits(largest.to_bits() & (0x7ff << 52));
     let normal = area / power;
     let size = normal.abs();
@@ -119,8 +122,8 @@ struct Clipping<'p> {
     next: Vec<u32>,
     previous: Vec<u32>,
     is_gone: Vec<bool>,
-    /// Whether the inner angle at a corner is at least half a turn. Only such a corner can lie in an ear of
-    /// others: where a corner pokes in, so does a reflex one.
+    /// Whether the inner angle at a corner is at least half a turn. Only such a corner can lie in
+    /// an ear of others: where a corner pokes in, so does a reflex one.
     is_reflex: Vec<bool>,
     /// The corners that were reflex at the start, from left to right. None becomes reflex later.
     from_left: Vec<u32>,

@@ -153,6 +153,7 @@ impl SceneBuilder {
     ) -> Result<&mut Self, SceneError> {
         let mesh = mesh.transformed(transform)?;
         let instance = self.instances.len() as u32;
+        self.primitives.try_reserve(mesh.triangles.len()).map_err(MeshError::from)?;
         self.primitives.extend((0..mesh.triangles.len()).map(|number| {
             let id = PrimitiveId { instance, primitive: number as u32 };
             (id, Primitive::Triangle(mesh.vertices(number)))

@@ -15,8 +15,8 @@ pub(super) struct Attributes {
     pub(super) stranger: Option<(usize, String)>,
 }
 
-/// Statements that are known and left out: names, materials, display and rendering settings, points and lines, free-form
-/// geometry but for surfaces, and what older files call them.
+/// Statements that are known and left out: names, materials, display and rendering settings, points
+/// and lines, free-form geometry but for surfaces, and what older files call them.
 const LEFT_OUT: [&str; 40] = [
     "g",
     "o",
@@ -103,8 +103,9 @@ impl Attributes {
     }
 }
 
-/// The first three numbers of a statement that needs `least` of them; 0 where it has fewer. What follows (a weight, a colour,
-/// a third surface coordinate) must be numbers too, but does not count.
+/// The first three numbers of a statement that needs `least` of them; 0 where it has fewer. What
+/// follows (a weight, a colour, a third surface coordinate) must be numbers too, but does not
+/// count.
 fn numbers(
     keyword: &'static str,
     least: usize,

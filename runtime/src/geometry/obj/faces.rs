@@ -118,7 +118,8 @@ impl<'a> Assembly<'a> {
         Ok(corner)
     }
 
-    /// Cuts the face into triangles and adds those that have an area. `count` is the number of its corners in the file.
+    /// Cuts the face into triangles and adds those that have an area. `count` is the number of its
+    /// corners in the file.
     fn add_face(&mut self, count: usize) -> Result<(), ObjFault> {
         while let [first, .., last] = &self.face[..]
             && self.same_place(first, last)
@@ -192,8 +193,9 @@ impl<'a> Assembly<'a> {
         Ok(())
     }
 
-    /// The file's surface coordinates. The corners of a triangle without them have (0, 0), (1, 0) and (0, 1), which
-    /// makes barycentric weights of what lies between: just what a mesh has where no face has any.
+    /// The file's surface coordinates. The corners of a triangle without them have (0, 0), (1, 0)
+    /// and (0, 1), which makes barycentric weights of what lies between: just what a mesh has where
+    /// no face has any.
     fn set_uvs(&self, mesh: &mut Mesh) -> Result<(), MeshError> {
         if self.corners.iter().all(|corner| corner[1] == NONE) {
             return Ok(());

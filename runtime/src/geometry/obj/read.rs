@@ -33,8 +33,8 @@ pub struct ObjMesh {
     pub flat_triangles: usize,
 }
 
-/// Reads all faces of an OBJ file as one mesh, cut into triangles. `docs/scene-format.md` says which
-/// statements are read.
+/// Reads all faces of an OBJ file as one mesh, cut into triangles. `docs/scene-format.md` says
+/// which statements are read.
 ///
 /// # Errors
 /// A file that cannot be read, or whose mesh cannot be used; which line is at fault.

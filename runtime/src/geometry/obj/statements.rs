@@ -1,8 +1,8 @@
 //! The statements of an OBJ file and their words.
 
-/// Reads the words of a file one after another, statement by statement. Comments are left out, a `\` at
-/// the end of a line carries on in the next one, and lines end with LF, CR LF or CR. Nothing is taken to be
-/// UTF-8: names may be in any encoding.
+/// Reads the words of a file one after another, statement by statement. Comments are left out, a
+/// `\` at the end of a line carries on in the next one, and lines end with LF, CR LF or CR. Nothing
+/// is taken to be UTF-8: names may be in any encoding.
 #[derive(Clone, Debug)]
 pub(super) struct Statements<'f> {
     bytes: &'f [u8],
@@ -23,9 +23,9 @@ impl<'f> Statements<'f> {
         self.line
     }
 
-    /// The first word of the next statement. What the last one still had in its line is passed over; what it
-    /// had in further lines is not, so a statement whose words nobody reads ends with its line: a path such
-    /// as `C:\` does not swallow what comes after it.
+    /// The first word of the next statement. What the last one still had in its line is passed
+    /// over; what it had in further lines is not, so a statement whose words nobody reads ends with
+    /// its line: a path such as `C:\` does not swallow what comes after it.
     pub(super) fn statement(&mut self) -> Option<&'f [u8]> {
         loop {
             if self.has_begun && !self.pass_line() {
@@ -72,8 +72,8 @@ impl<'f> Statements<'f> {
         &self.bytes[self.at..]
     }
 
-    /// Whether the `#` here belongs to a number as Microsoft's library writes it, `1.#QNAN`. Were it the
-    /// start of a comment, the number would be 1.
+    /// Whether the `#` here belongs to a number as Microsoft's library writes it, `1.#QNAN`. Were
+    /// it the start of a comment, the number would be 1.
     fn is_number_sign(&self, start: usize) -> bool {
         let letter = self.bytes.get(self.at + 1).is_some_and(u8::is_ascii_alphabetic);
         letter && self.bytes[start..self.at].ends_with(b"1.")
