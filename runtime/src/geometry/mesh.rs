@@ -58,6 +58,14 @@ pub enum MeshError {
         /// How many there should be.
         vertices: usize,
     },
+    /// A normal or a surface coordinate is not finite.
+    #[error("vertex {vertex} has {what} that are not finite")]
+    NotFinite {
+        /// `normals` or `surface coordinates`.
+        what: &'static str,
+        /// The vertex, from 0.
+        vertex: usize,
+    },
     /// The transform flattens the mesh or is not finite.
     #[error("the transform is not finite or flattens the object")]
     IrregularTransform,
@@ -88,7 +96,7 @@ fn copied<T: Copy>(list: &[T]) -> Result<Vec<T>, MeshError> {
 }
 
 impl Mesh {
-    /// Checks that every index, position and count is usable.
+    /// Checks that every index, number and count is usable.
     pub fn validate(&self) -> Result<(), MeshError> {
         if self.triangles.is_empty() {
             return Err(MeshError::Empty);
@@ -104,6 +112,13 @@ impl Mesh {
         for (triangle, indices) in self.triangles.iter().enumerate() {
             if let Some(&vertex) = indices.iter().find(|&&vertex| vertex as usize >= vertices) {
                 return Err(MeshError::IndexOutOfRange { triangle, vertex, count: vertices });
+            }
+        }
+        let normal = self.normals.iter().position(|of| !of.iter().all(|x| x.is_finite()));
+        let uv = self.uvs.iter().position(|of| !of.iter().all(|x| x.is_finite()));
+        for (what, found) in [("normals", normal), ("surface coordinates", uv)] {
+            if let Some(vertex) = found {
+                return Err(MeshError::NotFinite { what, vertex });
             }
         }
         let outside = |x: &f32| x.is_nan() || x.abs() > COORDINATE_LIMIT;
@@ -261,6 +276,12 @@ mod tests {
         );
         mesh.triangles.clear();
         assert_eq!(mesh.validate(), Err(MeshError::Empty));
+        let mut mesh = Mesh::rectangle(1.0, 1.0);
+        mesh.uvs[3][1] = f32::INFINITY;
+        assert!(matches!(mesh.validate(), Err(MeshError::NotFinite { vertex: 3, .. })));
+        mesh.uvs.clear();
+        mesh.normals = vec![[0.0, f32::NAN, 0.0]; 4];
+        assert!(matches!(mesh.validate(), Err(MeshError::NotFinite { vertex: 0, .. })));
         let mut mesh = Mesh::rectangle(1.0, 1.0);
         mesh.uvs.pop();
         assert!(matches!(mesh.validate(), Err(MeshError::CountMismatch { count: 3, .. })));

@@ -25,6 +25,7 @@ struct Known {
 struct Refusal {
     code: Code,
     message: String,
+    help: &'static str,
 }
 
 impl Meshes {
@@ -52,8 +53,7 @@ impl Meshes {
                 }
                 Some(mesh)
             }
-            Err(Refusal { code, message }) => {
-                let help = "give an OBJ file; its path starts at the scene's folder";
+            Err(Refusal { code, message, help }) => {
                 reader.report(code, value, message, help);
                 None
             }
@@ -65,12 +65,19 @@ fn read(path: &Path, normals: Normals) -> Result<Known, Refusal> {
     match read_obj(path, normals) {
         Ok(read) => Ok(Known { mesh: Arc::new(read.mesh), flat_triangles: read.flat_triangles }),
         Err(error) => {
-            let code = match error {
-                ObjError::Unreadable { .. } => Code::UNREADABLE_FILE,
-                ObjError::TooLarge { .. } => Code::FILE_TOO_LARGE,
-                ObjError::Malformed { .. } => Code::UNUSABLE_FILE,
+            let (code, help) = match error {
+                ObjError::Unreadable { .. } => (
+                    Code::UNREADABLE_FILE,
+                    "give an OBJ file; its path starts at the scene's folder",
+                ),
+                ObjError::TooLarge { .. } => {
+                    (Code::FILE_TOO_LARGE, "save it in parts, each an object of the scene")
+                }
+                ObjError::Malformed { .. } => {
+                    (Code::UNUSABLE_FILE, "mend the OBJ file, or save it anew where it was made")
+                }
             };
-            Err(Refusal { code, message: error.to_string() })
+            Err(Refusal { code, message: error.to_string(), help })
         }
     }
 }
