@@ -19,8 +19,11 @@ fn read(text: impl AsRef<[u8]>) -> ObjMesh {
         .unwrap_or_else(|error| panic!("{error:?}\n{}", String::from_utf8_lossy(text)))
 }
 
+/// Position, surface coordinates and normal.
+type Corner = ([f32; 3], Option<[f32; 2]>, Option<[f32; 3]>);
+
 /// The corners of all triangles, with what they have.
-fn corners(mesh: &Mesh) -> Vec<[([f32; 3], Option<[f32; 2]>, Option<[f32; 3]>); 3]> {
+fn corners(mesh: &Mesh) -> Vec<[Corner; 3]> {
     let corner = |vertex: u32| {
         let at = vertex as usize;
         (mesh.positions[at], mesh.uvs.get(at).copied(), mesh.normals.get(at).copied())
@@ -54,8 +57,7 @@ fn legal_lines_are_read() {
     ] {
         assert_eq!(read(&text).mesh, plain.mesh, "{text}");
     }
-    let mut latin = format!("# caf").into_bytes();
-    latin.extend(b"\xe9\ng caf\xe9\n");
+    let mut latin = b"# caf\xe9\ng caf\xe9\n".to_vec();
     latin.extend(format!("{SQUARE}f 1 2 3 4").into_bytes());
     assert_eq!(read(&latin).mesh, plain.mesh);
 }
