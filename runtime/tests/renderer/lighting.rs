@@ -148,7 +148,7 @@ fn what_lies_behind_a_lamp_casts_no_shadow() {
 /// Of the points of a coarse round mesh that face the light, those that lie in shadow.
 fn dark_points(scale: f64, turned: f64, terminator: ShadowTerminator) -> (usize, usize) {
     let mut mesh = ball(1);
-    mesh.smooth();
+    mesh.smooth().unwrap();
     let transform = Transform::new([scale; 3], [0.0, turned, 0.0], [0.0; 3]);
     let mut builder = SceneBuilder::new(looking_from([0.0, 0.0, 3.0 * scale]));
     let (hand, seen) = recorder();
