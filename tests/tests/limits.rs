@@ -2,6 +2,9 @@
 //!
 //! `PHENOMENON_BLESS=1 cargo test -p phenomenon-tests --test limits` writes it anew.
 
+#[path = "limits/pictures.rs"]
+mod pictures;
+
 use std::fmt::Write;
 use std::fs::File;
 use std::path::Path;
@@ -25,7 +28,7 @@ use phenomenon_runtime::scene::{DEPTH_LIMIT, read_scene};
 
 /// A limit: what is limited, the most there may be, what is said past it, and a proof of it: what
 /// is said of something just past the limit, in a folder to put files in.
-struct Limit {
+pub struct Limit {
     what: &'static str,
     most: u64,
     said: &'static str,
@@ -118,7 +121,7 @@ const FAR_AWAY: u64 = 1_000_000_000_000;
 
 #[test]
 fn what_is_past_a_limit_is_refused() {
-    for (at, limit) in GRAPHS.iter().chain(&SCENES).enumerate() {
+    for (at, limit) in GRAPHS.iter().chain(&SCENES).chain(&pictures::LIMITS).enumerate() {
         let folder = tempfile::tempdir().unwrap();
         let said = (limit.past)(folder.path());
         assert_eq!(said, limit.said, "{at}: {}", limit.what);
@@ -132,7 +135,12 @@ fn the_page_of_limits_is_in_sync() {
          No file can crash the program, hang it or use up the memory. What is past a limit is \
          refused, and said so. This page is made by `tests/tests/limits.rs`, which goes past each.\n",
     );
-    for (title, limits) in [("Graphs", &GRAPHS[..]), ("Scenes", &SCENES[..])] {
+    let sections = [
+        ("Graphs", &GRAPHS[..]),
+        ("Scenes", &SCENES[..]),
+        ("Pictures that are read", &pictures::LIMITS[..]),
+    ];
+    for (title, limits) in sections {
         write!(page, "\n## {title}\n\n| what | most | past it |\n| --- | ---: | --- |\n").unwrap();
         for Limit { what, most, said, .. } in limits {
             writeln!(page, "| {what} | {} | {said} |", grouped(*most)).unwrap();

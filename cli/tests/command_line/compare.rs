@@ -67,3 +67,144 @@ fn what_cannot_be_compared_is_refused() {
     std::fs::create_dir(&folder_path).unwrap();
     refused(&["compare", &a, &a, "-o", &folder_path], &["this is a folder"]);
 }
+
+#[test]
+fn what_is_not_finite_in_one_picture_fails_whatever_the_tolerance() {
+    let folder = Folder::new();
+    let picture = |name: &str, value: f32| picture(&folder, name, 3, [0.5, value, 0.0, 1.0]);
+    let (nan, more, less) = (
+        picture("nan.exr", f32::NAN),
+        picture("more.exr", f32::INFINITY),
+        picture("less.exr", f32::NEG_INFINITY),
+    );
+    // As a screen shows them, infinity is 1, and what is below 0 or no number is 0.
+    let (white, black) = (picture("white.exr", 1.0), picture("black.exr", 0.0));
+    for (a, b) in [(&nan, &black), (&white, &more), (&less, &nan), (&more, &less)] {
+        for tolerance in [&[][..], &["--tolerance", "1"], &["--tolerance", "0"]] {
+            let run = run(&[&["compare", a, b], tolerance].concat());
+            assert_eq!(run.code, Some(1), "{a} {b} {tolerance:?}");
+            assert!(run.output.contains("1 pixel has NaN or infinity"), "{}", run.output);
+            assert!(run.output.contains("column 0 and row 1"), "{}", run.output);
+        }
+    }
+    for same in [&nan, &more, &less] {
+        assert_eq!(run(&["compare", same, same, "--tolerance", "0"]).code, Some(0));
+    }
+    let run = run(&["compare", &more, &black]);
+    assert!(run.output.contains("green is inf and 0"), "{}", run.output);
+}
+
+fn json(arguments: &[&str], code: i32) -> serde_json::Value {
+    let run = run(&[&["compare", "--format", "json"], arguments].concat());
+    assert_eq!(run.code, Some(code), "{run:?}");
+    serde_json::from_str(&run.output).unwrap()
+}
+
+#[test]
+fn programs_read_what_was_found() {
+    let folder = Folder::new();
+    let a = picture(&folder, "a.exr", 3, [4.0, 0.0, 0.0, 1.0]);
+    let b = picture(&folder, "b.exr", 3, [1.0, 0.0, 0.0, 0.5]);
+    let found = json(&[&a, &b], 0);
+    let keys: Vec<&str> = found.as_object().unwrap().keys().map(String::as_str).collect();
+    assert_eq!(
+        keys,
+        [
+            "version",
+            "width",
+            "height",
+            "rms",
+            "maximum",
+            "raw",
+            "alpha",
+            "identical",
+            "not_finite",
+            "tolerance",
+            "within"
+        ]
+    );
+    assert_eq!(
+        (&found["version"], &found["width"], &found["height"]),
+        (&1.into(), &3.into(), &2.into())
+    );
+    // On a screen both are white; raw: 3 in one of 18 values, alpha 0.5 in one of 6.
+    assert_eq!((&found["rms"], &found["maximum"]), (&0.0.into(), &0.0.into()));
+    assert_eq!(found["raw"]["maximum"], 3.0);
+    assert_eq!(found["raw"]["rms"], 0.5_f64.sqrt());
+    assert_eq!(found["alpha"]["maximum"], 0.5);
+    assert_eq!(found["identical"], false);
+    assert_eq!(found["not_finite"], serde_json::json!({ "pixels": 0, "first": null }));
+    assert_eq!((&found["tolerance"], &found["within"]), (&serde_json::Value::Null, &true.into()));
+
+    let found = json(&[&a, &b, "--tolerance", "0"], 1);
+    assert_eq!((&found["tolerance"], &found["within"]), (&0.0.into(), &false.into()));
+    let found = json(&[&a, &a, "--tolerance", "0"], 0);
+    assert_eq!((&found["identical"], &found["within"]), (&true.into(), &true.into()));
+
+    let nan = picture(&folder, "nan.exr", 3, [4.0, 0.0, f32::NAN, f32::NEG_INFINITY]);
+    let found = json(&[&nan, &a, "--tolerance", "1"], 1);
+    let first = serde_json::json!(
+        { "column": 0, "row": 1, "channel": "blue", "a": "NaN", "b": 0.0 }
+    );
+    assert_eq!(found["not_finite"], serde_json::json!({ "pixels": 1, "first": first }));
+    assert_eq!(found["raw"], serde_json::json!({ "rms": "inf", "maximum": "inf" }));
+    assert_eq!(found["alpha"]["maximum"], "inf");
+    assert_eq!(found["rms"], 0.0);
+}
+
+#[test]
+fn pictures_of_different_formats_are_compared() {
+    let folder = Folder::new();
+    // White and black are the same in all formats.
+    let names = ["a.exr", "a.png", "a.hdr"];
+    let paths = names.map(|name| picture(&folder, name, 9, [1.0, 0.0, 1.0, 1.0]));
+    for a in &paths {
+        for b in &paths {
+            let found = json(&[a, b], 0);
+            assert_eq!((&found["rms"], &found["raw"]["rms"]), (&0.0.into(), &0.0.into()));
+        }
+    }
+}
+
+/// What a bomb promises, and what memory can hold.
+#[test]
+fn large_pictures_and_little_memory_are_refused_with_a_message() {
+    let folder = Folder::new();
+    let bomb = folder.file("bomb.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 65000 +X 65000\n");
+    refused(&["compare", &bomb, &bomb], &["65000 x 65000", "bomb.hdr"]);
+    let scene = r#"{"scene":"s","camera":{"position":[0,0,5],"look_at":[0,0,0]},"objects":[],
+        "environment":{"image":"bomb.hdr"}}"#;
+    let scene = folder.file("s.json", scene);
+    let found = run(&["check", &scene]);
+    assert_eq!(found.code, Some(1), "{found:?}");
+    assert!(found.output.contains("65000 x 65000"), "{found:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn little_memory_ends_in_a_message() {
+    use crate::program::limited;
+    let folder = Folder::new();
+    let large = folder.path("large.png");
+    write(&Film::new(3000, 3000).unwrap(), large.as_ref(), 1.0).unwrap();
+    let output = folder.path("out.png");
+    for arguments in [
+        &["compare", &large, &large][..],
+        &[
+            "render",
+            "graphs/rainbow/rainbow.json",
+            "--size",
+            "3000x3000",
+            "--spp",
+            "1",
+            "-o",
+            &output,
+        ],
+    ] {
+        // 144 MB for each picture.
+        let run = limited(arguments, "ulimit -v 200000");
+        assert_eq!(run.code, Some(2), "{run:?}");
+        assert!(run.complaint.contains("not enough memory"), "{run:?}");
+        assert!(run.complaint.contains("3000 x 3000"), "{run:?}");
+    }
+}

@@ -45,6 +45,18 @@ fn ended(output: &Output) -> Run {
     }
 }
 
+/// Runs it to its end in a shell that has set a limit.
+#[cfg(unix)]
+pub fn limited(arguments: &[&str], limit: &str) -> Run {
+    let mut command = Command::new("sh");
+    command.args(["-c", &format!("{limit}; exec \"$@\""), "sh"]);
+    command.arg(env!("CARGO_BIN_EXE_phenomenon")).args(arguments);
+    command.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).stdin(Stdio::null());
+    let output = command.output().expect("a shell starts");
+    let text = |bytes| String::from_utf8(bytes).expect("the program writes UTF-8");
+    Run { code: output.status.code(), output: text(output.stdout), complaint: text(output.stderr) }
+}
+
 /// Runs it and expects exit code 2, nothing on standard output, no panic, and a complaint that
 /// holds each of `parts`.
 pub fn refused(arguments: &[&str], parts: &[&str]) {

@@ -11,8 +11,9 @@ use super::encoding::{srgb_byte, srgb_decoded};
 use super::fault::Fault;
 use super::header::{Format, PictureHeader};
 
-/// Most bytes a decoder may take beside the pixels: for a line, and for what is said about the picture.
-const DECODER_BYTES_LIMIT: u64 = 1 << 26;
+/// Most bytes a decoder may take beside the pixels: for a line, and for each of what is said about the
+/// picture.
+pub const DECODER_BYTES_LIMIT: u64 = 1 << 26;
 
 /// What a JPEG decoder holds of each channel of a pixel where the picture comes in several passes.
 const COEFFICIENT_BYTES: u64 = 2;
@@ -122,7 +123,7 @@ fn fault(error: ImageError, header: &PictureHeader) -> Fault {
         }
         ImageError::IoError(error) => error.into(),
         ImageError::Limits(_) => Fault::Malformed(format!(
-            "what it says about its picture, such as color profiles and texts, takes more than {DECODER_BYTES_LIMIT} bytes"
+            "what it says about its picture, such as color profiles and texts, has more than {DECODER_BYTES_LIMIT} bytes"
         )),
         other => Fault::Malformed(other.to_string()),
     }

@@ -25,25 +25,62 @@ pub enum TextureError {
         /// From the top.
         row: u32,
     },
+    /// All textures together are too large.
+    #[error(
+        "{file}: with it all textures have {pixels} pixels, and at most {limit} are read: make some smaller"
+    )]
+    TooManyPixels {
+        /// The file that is too much.
+        file: String,
+        /// Of it and all before.
+        pixels: u64,
+        /// Most there may be.
+        limit: u64,
+    },
 }
 
+/// Most pixels of all textures of a scene: 4 GiB of memory.
+pub const TEXTURE_PIXEL_LIMIT: u64 = 1 << 28;
+
 /// Textures by number.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Textures {
     numbers: BTreeMap<Texture, TextureId>,
     pictures: Vec<Picture>,
+    /// Of all pictures.
+    pixels: u64,
+    limit: u64,
+}
+
+impl Default for Textures {
+    /// None yet, and [`TEXTURE_PIXEL_LIMIT`].
+    fn default() -> Self {
+        Self::limited_to(TEXTURE_PIXEL_LIMIT)
+    }
 }
 
 impl Textures {
+    /// None yet; all that are opened have at most so many pixels.
+    pub fn limited_to(pixels: u64) -> Self {
+        Self { numbers: BTreeMap::new(), pictures: Vec::new(), pixels: 0, limit: pixels }
+    }
+
     /// Opens a texture, unless it is open already.
     ///
     /// # Errors
-    /// The file is no picture, or holds numbers that are not finite.
+    /// The file is no picture, holds numbers that are not finite, or is too much with those before.
     pub fn open(&mut self, texture: &Texture) -> Result<(), TextureError> {
         if self.numbers.contains_key(texture) {
             return Ok(());
         }
-        let film = film::read_as(Path::new(&texture.file), Some(texture.space))?;
+        let path = Path::new(&texture.file);
+        let header = film::read_header(path)?;
+        let pixels = self.pixels + u64::from(header.width) * u64::from(header.height);
+        if pixels > self.limit {
+            let (file, limit) = (texture.file.clone(), self.limit);
+            return Err(TextureError::TooManyPixels { file, pixels, limit });
+        }
+        let film = film::read_as(path, Some(texture.space))?;
         let width = film.width() as usize;
         let bad = film.pixels().iter().position(|pixel| !pixel.iter().all(|x| x.is_finite()));
         if let Some(at) = bad {
@@ -52,6 +89,7 @@ impl Textures {
         }
         self.numbers.insert(texture.clone(), TextureId(self.pictures.len() as u32));
         self.pictures.push(Picture::new(film));
+        self.pixels = pixels;
         Ok(())
     }
 
@@ -95,6 +133,27 @@ mod tests {
         assert!((red(Space::Linear) - 0.5).abs() < 4e-3, "{}", red(Space::Linear));
         let other = Texture { file: "other.png".into(), space: Space::Srgb };
         assert!(textures.picture(textures.number(&other)).is_none());
+    }
+
+    #[test]
+    fn all_textures_together_have_a_limit() {
+        let folder = tempfile::tempdir().unwrap();
+        let texture = |name: &str, width: u32| {
+            let path = folder.path().join(name);
+            film::write(&Film::new(width, 2).unwrap(), &path, 1.0).unwrap();
+            Texture { file: path.display().to_string(), space: Space::Srgb }
+        };
+        let (first, second) = (texture("first.png", 3), texture("second.png", 1));
+        let mut textures = Textures::limited_to(7);
+        textures.open(&first).unwrap();
+        // What is open already is not counted again.
+        textures.open(&first).unwrap();
+        let error = textures.open(&second).unwrap_err().to_string();
+        assert!(error.contains("second.png: with it all textures have 8 pixels"), "{error}");
+        assert!(textures.picture(textures.number(&second)).is_none());
+        let mut textures = Textures::limited_to(8);
+        textures.open(&second).unwrap();
+        textures.open(&first).unwrap();
     }
 
     #[test]

@@ -17,7 +17,7 @@ node! {
         v: scalar = state(Field::V), in FACTOR;
     }
     outputs {
-        /// Scene-linear colour, with the alpha of the picture.
+        /// Scene-linear colour, associated: multiplied by the alpha of the picture, which it has.
         color: color;
         /// Whether there is a texture, and both coordinates are finite.
         ok: boolean;

@@ -9,17 +9,17 @@ use crate::film::buffer::pixel_count;
 use crate::film::fault::Fault;
 use crate::film::header::{Channels, Format, PictureHeader, array, skip};
 
-/// Most parts of a file.
-const PART_LIMIT: usize = 1 << 10;
+/// Most parts of an OpenEXR file.
+pub const PART_LIMIT: usize = 1 << 10;
 
-/// Most channels of a part.
-const CHANNEL_LIMIT: usize = 1 << 10;
+/// Most channels of a part of an OpenEXR file.
+pub const CHANNEL_LIMIT: usize = 1 << 10;
 
-/// Most chunks of pixels in a file.
-const CHUNK_LIMIT: u64 = 1 << 20;
+/// Most chunks of pixels in an OpenEXR file.
+pub const CHUNK_LIMIT: u64 = 1 << 20;
 
-/// Most bytes of the pixels of one chunk.
-pub(super) const CHUNK_BYTES_LIMIT: u64 = 1 << 29;
+/// Most bytes of the pixels of one chunk of an OpenEXR file.
+pub const CHUNK_BYTES_LIMIT: u64 = 1 << 29;
 
 /// A rectangle of pixels, ends included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,9 +64,11 @@ impl Window {
 
     /// Width and height, within the limits of pictures.
     fn size(self, what: &str) -> Result<(u32, u32), Fault> {
-        let side = |low: i32, high: i32| i64::from(high) - i64::from(low) + 1;
-        let (width, height) = (side(self.left, self.right), side(self.top, self.bottom));
-        let (Ok(width), Ok(height)) = (u32::try_from(width), u32::try_from(height)) else {
+        // Two 32-bit corners may be 2^32 apart.
+        let side =
+            |low: i32, high: i32| (i64::from(high) - i64::from(low) + 1).min(u32::MAX.into());
+        let sides = [side(self.left, self.right), side(self.top, self.bottom)];
+        let [Ok(width @ 1..), Ok(height @ 1..)] = sides.map(u32::try_from) else {
             return Err(Fault::Malformed(format!("its {what} window has no pixels")));
         };
         pixel_count(width, height)?;

@@ -9,5 +9,6 @@ mod read;
 mod write;
 
 pub(super) use header::read_header;
+pub use header::{CHANNEL_LIMIT, CHUNK_BYTES_LIMIT, CHUNK_LIMIT, PART_LIMIT};
 pub(super) use read::read;
 pub(super) use write::write;

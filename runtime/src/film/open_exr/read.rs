@@ -1,7 +1,7 @@
 //! Pixels from a file.
 
 use std::collections::HashSet;
-use std::io::{Read, Seek};
+use std::io::{self, Read, Seek};
 
 use exr::block::UncompressedBlock;
 use exr::block::lines::LineRef;
@@ -110,6 +110,10 @@ fn copy(
 /// What the decoder says, in our terms.
 pub(super) fn fault(error: exr::error::Error) -> Fault {
     match error {
+        // No system goes to a place before the start of a file.
+        exr::error::Error::Io(error) if error.kind() == io::ErrorKind::InvalidInput => {
+            Fault::malformed("a chunk is not where its table says")
+        }
         exr::error::Error::Io(error) => error.into(),
         other => Fault::Malformed(other.to_string()),
     }
