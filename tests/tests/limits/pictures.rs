@@ -6,7 +6,7 @@ use std::path::Path;
 use phenomenon_compiler::nodes::{Space, Texture};
 use phenomenon_runtime::film::{
     CHANNEL_LIMIT, CHUNK_BYTES_LIMIT, CHUNK_LIMIT, DECODER_BYTES_LIMIT, FILE_BYTES_LIMIT, Film,
-    HEADER_BYTES_LIMIT, PART_LIMIT, PIXEL_LIMIT, SIDE_LIMIT, read_header, write,
+    HEADER_BYTES_LIMIT, PART_LIMIT, PIXEL_LIMIT, SIDE_LIMIT, read, read_header, write,
 };
 use phenomenon_runtime::scene::read_scene;
 use phenomenon_runtime::texture::{TEXTURE_PIXEL_LIMIT, Textures};
@@ -100,11 +100,15 @@ fn long_text(folder: &Path) -> String {
     let whole = std::fs::read(&path).unwrap();
     // After the signature and the header, a text of zeros: most of it is a hole in the file.
     let mut bytes = whole[..33].to_vec();
-    bytes.extend((DECODER_BYTES_LIMIT as u32 + 1).to_be_bytes());
+    // The decoder has 32 KiB besides.
+    let length = DECODER_BYTES_LIMIT + (1 << 16);
+    bytes.extend((length as u32).to_be_bytes());
     bytes.extend(b"tEXt");
     std::fs::write(&path, bytes).unwrap();
     let file = File::options().append(true).open(&path).unwrap();
-    file.set_len(DECODER_BYTES_LIMIT + 100).unwrap();
+    file.set_len(length + 100).unwrap();
+    let error = read(&path).unwrap_err().to_string();
+    assert!(error.contains(&DECODER_BYTES_LIMIT.to_string()), "{error}");
     environment(folder, "a.png").unwrap()
 }
 
