@@ -92,13 +92,13 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Some(0.0) => comparison.identical,
             Some(tolerance) => comparison.encoded.rms <= tolerance,
         };
-    terminal::print(&match arguments.format {
-        Format::Human => human(&comparison),
+    match arguments.format {
+        Format::Human => terminal::print(&human(&comparison))?,
         Format::Json => {
             let object = object(&comparison, (a.width(), a.height()), arguments.tolerance, within);
-            format!("{object}\n")
+            terminal::print_exactly(&format!("{object}\n"))?;
         }
-    })?;
+    }
     Ok(if within { Outcome::Fine } else { Outcome::Found })
 }
 
