@@ -3,12 +3,17 @@
 
 mod codes;
 mod documentation;
+mod escape;
 mod finding;
 mod findings;
+mod names;
 mod source;
+pub mod synonyms;
 
 pub use codes::{Code, Explanation};
 pub use documentation::documentation;
+pub use escape::escaped;
 pub use finding::{Finding, Related, Severity};
 pub use findings::{Findings, KEPT_FINDINGS, SHOWN_FINDINGS};
+pub use names::{listed, listed_or, shortened};
 pub use source::{Place, SourceFile};
