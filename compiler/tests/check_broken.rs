@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use phenomenon_compiler::check::{Checked, check_graph};
 use phenomenon_compiler::diagnostics::Finding;
-use phenomenon_compiler::document::read;
+use phenomenon_compiler::document::{all_mistakes, read};
 use phenomenon_compiler::nodes::NodeLibrary;
 
 fn folder() -> PathBuf {
@@ -39,7 +39,7 @@ fn check(path: &Path, library: &NodeLibrary) -> Checked {
     let bytes = std::fs::read(path).unwrap();
     match read(&path.file_name().unwrap().to_string_lossy(), &bytes) {
         Ok(document) => check_graph(&document, library),
-        Err(finding) => Checked { findings: vec![*finding], ..Checked::default() },
+        Err(finding) => Checked { findings: all_mistakes(*finding), ..Checked::default() },
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use phenomenon_compiler::check::{Checked, check_graph};
 use phenomenon_compiler::diagnostics::Severity;
-use phenomenon_compiler::document::{canonical, read};
+use phenomenon_compiler::document::{all_mistakes, canonical, read};
 use phenomenon_compiler::nodes::NodeLibrary;
 use proptest::prelude::*;
 
@@ -118,7 +118,12 @@ fn holds(bytes: &[u8], library: &NodeLibrary) -> Result<(), TestCaseError> {
             prop_assert_eq!(again.ok().map(|it| canonical(&it)), Some(once));
             check_graph(&document, library)
         }
-        Err(finding) => Checked { findings: vec![*finding], ..Checked::default() },
+        Err(finding) => {
+            let first = (*finding).clone();
+            let findings = all_mistakes(*finding);
+            prop_assert_eq!(findings.first(), Some(&first));
+            Checked { findings, ..Checked::default() }
+        }
     };
     let wrong = checked.findings.iter().any(|finding| finding.severity == Severity::Error);
     prop_assert_eq!(checked.graph.is_none(), wrong);
@@ -165,4 +170,42 @@ proptest! {
     fn any_bytes_are_survived(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
         holds(&bytes, &NodeLibrary::standard())?;
     }
+}
+
+/// Every prefix of a shipped file, and every character of it left out, doubled, or another one: the strict
+/// parser takes it, or the scan says where it is no JSON, in few words.
+#[test]
+fn every_single_slip_is_told() {
+    let graphs = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut counts = [0_usize; 32];
+    for path in ["graphs/mirror/tinted_mirror.json", "scenes/default.json"] {
+        let text = std::fs::read_to_string(graphs.join(path)).unwrap();
+        let mut slip = |slipped: String| {
+            let Err(first) = read("slip.json", slipped.as_bytes()) else { return };
+            let findings = all_mistakes((*first).clone());
+            assert_eq!(findings.first(), Some(&*first), "{slipped}");
+            assert!(findings.len() < counts.len(), "{} findings in\n{slipped}", findings.len());
+            counts[findings.len()] += 1;
+            for finding in &findings {
+                let (start, end) = (finding.place.start, finding.place.end);
+                assert!(start <= end && slipped.get(start..end).is_some(), "{slipped}");
+                assert!(!finding.message.is_empty() && !finding.help.is_empty());
+            }
+        };
+        for (at, c) in text.char_indices() {
+            let (before, after) = (&text[..at], &text[at + c.len_utf8()..]);
+            slip(before.to_owned());
+            slip(format!("{before}{after}"));
+            slip(format!("{before}{c}{c}{after}"));
+            for other in "{}[](),:;=\"'“\\/#x1.\n\u{0}é\u{feff}".chars() {
+                slip(format!("{before}{other}{after}"));
+                slip(format!("{before}{other}{c}{after}"));
+            }
+        }
+    }
+    // One slip is mostly one finding, and hardly ever more than three.
+    let all: usize = counts.iter().sum();
+    assert_eq!(counts[0], 0);
+    assert!(counts[1] * 2 > all, "{counts:?}");
+    assert!(counts[4..].iter().sum::<usize>() * 20 < all, "{counts:?}");
 }

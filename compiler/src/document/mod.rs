@@ -4,6 +4,7 @@
 //! report them, and numbers as written.
 
 mod canonical;
+mod mistakes;
 mod open;
 mod format;
 mod places;
@@ -22,10 +23,12 @@ pub(crate) use open::irregular;
 pub use open::{open_file, opened_files};
 pub use format::FORMAT;
 pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES};
-pub use read::{read, read_file, read_from};
-pub use reader::listed;
+pub use read::{all_mistakes, read, read_file, read_from};
 pub use reader::{Object, Reader};
-pub(crate) use reader::{shortened, shown};
+pub(crate) use crate::diagnostics::shortened;
+pub use crate::diagnostics::listed;
+pub(crate) use reader::shown;
+pub(crate) use suggest::advice;
 pub use suggest::{Suggestion, nearest};
 
 /// A value with its place, as byte range of the file.

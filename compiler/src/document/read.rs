@@ -10,6 +10,7 @@ use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 
 use crate::diagnostics::{Code, Finding, Place, SourceFile};
 
+use super::mistakes;
 use super::open::open_file;
 use super::prescan::{MAX_FILE_BYTES, prescan};
 use super::syntax;
@@ -50,21 +51,29 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Box<Finding>> {
         return Err(syntax::irregular(&file, at, irregularity));
     }
     let parsed = parse_to_ast(text, &CollectOptions::default(), &STRICT);
-    // Whatever comes first in the file is the mistake; the rest may only follow from it.
-    match (parsed, irregular) {
-        (Err(error), Some((at, _))) if error.range().start < at => {
-            Err(syntax::unparsable(&file, &error))
-        }
-        (_, Some((at, irregularity))) => Err(syntax::irregular(&file, at, irregularity)),
-        (Err(error), None) => Err(syntax::unparsable(&file, &error)),
+    let refused = match (parsed, irregular) {
         (Ok(parsed), None) => match parsed.value {
-            Some(value) => {
-                let root = convert(value);
-                Ok(Document { file: file.clone(), root })
-            }
-            None => Err(syntax::empty(&file)),
+            Some(value) => return Ok(Document { file: file.clone(), root: convert(value) }),
+            None => return Err(syntax::empty(&file)),
         },
+        (Err(error), Some((at, _))) if error.range().start < at => {
+            syntax::unparsable(&file, &error)
+        }
+        (_, Some((at, irregularity))) => syntax::irregular(&file, at, irregularity),
+        (Err(error), None) => syntax::unparsable(&file, &error),
+    };
+    // The scan says it better, where it recognises the mistake.
+    Err(mistakes::all(&file).into_iter().next().map_or(refused, Box::new))
+}
+
+/// Every mistake of a file that [`read`] refused, given the first: a file that is no JSON may break its
+/// rules in many places.
+pub fn all_mistakes(first: Finding) -> Vec<Finding> {
+    if first.code != Code::SYNTAX {
+        return vec![first];
     }
+    let all = mistakes::all(&first.place.file);
+    if all.is_empty() { vec![first] } else { all }
 }
 
 /// Reads a file from disk: a regular one, so that nothing is waited for.

@@ -4,9 +4,10 @@
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
 
-use crate::diagnostics::{Code, Finding, Findings};
+use crate::diagnostics::synonyms::{self, Synonym};
+use crate::diagnostics::{Code, Finding, Findings, listed, shortened};
 
-use super::{Document, Member, Value, ValueKind, nearest};
+use super::{Document, Member, Value, ValueKind, advice, nearest};
 
 /// Reads values of a document and collects findings.
 #[derive(Debug)]
@@ -93,8 +94,12 @@ impl<'d> Reader<'d> {
 
     /// Reports that an object lacks a key.
     pub fn missing(&mut self, value: &Value, what: &str, key: &str) {
-        // A misspelt key was reported as the unknown one it is.
-        let misspelt = |member: &Member| member.key != key && nearest(&member.key, [key]).is_some();
+        // A misspelt key, or what it is called elsewhere, was reported as the unknown one it is.
+        let misspelt = |member: &Member| {
+            member.key != key
+                && (nearest(&member.key, [key]).is_some()
+                    || synonyms::key(&member.key, |ours| ours == key).is_some())
+        };
         if value.members().iter().any(misspelt) {
             return;
         }
@@ -112,7 +117,10 @@ impl<'d> Reader<'d> {
     pub fn object(&mut self, value: &'d Value, what: &str, keys: &[&str]) -> Option<Object<'d>> {
         for member in self.members(value, what)? {
             if !keys.contains(&member.key.as_str()) {
-                self.unknown_key(member, what, keys);
+                // What is there already is not meant once more.
+                let free: Vec<&str> =
+                    keys.iter().copied().filter(|key| value.get(key).is_none()).collect();
+                self.unknown_key_among(member, what, keys, &free);
             }
         }
         Some(Object { value, what: what.to_owned() })
@@ -134,15 +142,17 @@ impl<'d> Reader<'d> {
 
     /// Reports a key that is not one of `keys`.
     pub fn unknown_key(&mut self, member: &Member, what: &str, keys: &[&str]) {
+        self.unknown_key_among(member, what, keys, keys);
+    }
+
+    fn unknown_key_among(&mut self, member: &Member, what: &str, keys: &[&str], free: &[&str]) {
         let message = format!("{what} has no key `{}`", shortened(&member.key));
-        let near = nearest(&member.key, keys.iter().copied());
-        let help = match near {
-            Some(near) => near.help(),
-            None => format!("its keys are {}", listed(keys.iter().copied())),
-        };
-        let mut finding =
-            Finding::new(Code::UNKNOWN_KEY, self.document.place_of_key(member), message, help);
-        finding.fix = near.and_then(|near| near.fix());
+        let synonym = synonyms::key(&member.key, |ours| free.contains(&ours));
+        let near = nearest(&member.key, free.iter().copied());
+        let (help, fix) =
+            advice(synonym, near, || format!("its keys are {}", listed(keys.iter().copied())));
+        let place = self.document.place_of_key(member);
+        let finding = Finding { fix, ..Finding::new(Code::UNKNOWN_KEY, place, message, help) };
         self.findings.push(finding);
     }
 
@@ -277,23 +287,28 @@ impl<'d> Reader<'d> {
         what: &str,
         choices: &[(&str, T)],
     ) -> Option<T> {
+        self.choice_or(value, what, choices, |_| None)
+    }
+
+    /// The same for words that others have names for.
+    pub fn choice_or<T: Copy>(
+        &mut self,
+        value: &'d Value,
+        what: &str,
+        choices: &[(&str, T)],
+        synonym: impl Fn(&str) -> Option<Synonym>,
+    ) -> Option<T> {
         let text = self.string(value, what)?;
         if let Some((_, choice)) = choices.iter().find(|(name, _)| *name == text) {
             return Some(*choice);
         }
         let names = || choices.iter().map(|(name, _)| *name);
-        let near = nearest(text, names());
-        let help = match near {
-            Some(near) => near.help(),
-            None => format!("write one of {}", listed(names())),
-        };
-        let mut finding = Finding::new(
-            Code::UNKNOWN_CHOICE,
-            self.document.place(value),
-            format!("{what} cannot be `{}`", shortened(text)),
-            help,
-        );
-        finding.fix = near.and_then(|near| near.fix());
+        let (help, fix) = advice(synonym(text), nearest(text, names()), || {
+            format!("write one of {}", listed(names()))
+        });
+        let message = format!("{what} cannot be `{}`", shortened(text));
+        let place = self.document.place(value);
+        let finding = Finding { fix, ..Finding::new(Code::UNKNOWN_CHOICE, place, message, help) };
         self.findings.push(finding);
         None
     }
@@ -342,20 +357,6 @@ impl<'d> Reader<'d> {
     }
 }
 
-/// Names between backticks, at most a dozen.
-pub fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
-    let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
-    match names.as_slice() {
-        [] => "none".into(),
-        [one] => one.clone(),
-        names if names.len() <= 12 => {
-            let (last, rest) = names.split_last().expect("not empty");
-            format!("{} and {last}", rest.join(", "))
-        }
-        names => format!("{} and {} more", names[..12].join(", "), names.len() - 12),
-    }
-}
-
 /// A range as text.
 pub(crate) fn shown(range: &RangeInclusive<f64>) -> String {
     let (low, high) = (*range.start(), *range.end());
@@ -365,13 +366,5 @@ pub(crate) fn shown(range: &RangeInclusive<f64>) -> String {
         (false, true) => format!("{low} and above"),
         (true, false) => format!("{high} and below"),
         (false, false) => format!("{low} to {high}"),
-    }
-}
-
-/// A name, cut where it is too long for a message.
-pub(crate) fn shortened(name: &str) -> String {
-    match name.char_indices().nth(64) {
-        Some((at, _)) => format!("{}…", &name[..at]),
-        None => name.to_owned(),
     }
 }

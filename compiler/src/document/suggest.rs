@@ -1,5 +1,8 @@
 //! The nearest name to a misspelt one.
 
+use crate::diagnostics::listed_or;
+use crate::diagnostics::synonyms::{self, Synonym};
+
 /// Longer names are not compared: the distance costs the product of the lengths.
 const MAX_LENGTH: usize = 64;
 
@@ -8,20 +11,39 @@ const MAX_LENGTH: usize = 64;
 pub struct Suggestion<'a> {
     /// The name.
     pub name: &'a str,
-    /// Whether it may be put in without asking: it is at most two edits away, and no other name is
-    /// as near.
+    /// Another that is as near.
+    pub rival: Option<&'a str>,
+    /// Whether it may be put in without asking: nothing else can be meant. It is at most two edits
+    /// away, no other name is nearly as near, and what stands there is no word of its own.
     pub sure: bool,
+    /// Edits between the two, upper and lower case being the same.
+    pub distance: usize,
 }
 
 impl Suggestion<'_> {
     /// The help that asks for it.
     pub fn help(&self) -> String {
-        format!("did you mean `{}`?", self.name)
+        format!("did you mean {}?", listed_or(std::iter::once(self.name).chain(self.rival)))
     }
 
     /// Its JSON text, where it may be put in without asking.
     pub fn fix(&self) -> Option<String> {
         self.sure.then(|| serde_json::Value::from(self.name).to_string())
+    }
+}
+
+/// The help for a name that is not there, and what to put in its place where nothing else can be meant:
+/// what it means elsewhere comes before what is spelled nearly so.
+pub(crate) fn advice(
+    synonym: Option<Synonym>,
+    near: Option<Suggestion<'_>>,
+    otherwise: impl FnOnce() -> String,
+) -> (String, Option<String>) {
+    match (synonym, near) {
+        (_, Some(near)) if near.distance == 0 => (near.help(), near.fix()),
+        (Some(synonym), _) => (synonym.help(), synonym.fix()),
+        (None, Some(near)) => (near.help(), near.fix()),
+        (None, None) => (otherwise(), None),
     }
 }
 
@@ -31,31 +53,66 @@ pub fn nearest<'a>(
     wrong: &str,
     names: impl IntoIterator<Item = &'a str>,
 ) -> Option<Suggestion<'a>> {
-    let wrong: Vec<char> =
-        wrong.chars().take(MAX_LENGTH + 1).flat_map(char::to_lowercase).collect();
-    if wrong.is_empty() || wrong.len() > MAX_LENGTH {
+    let letters = |name: &str| -> Vec<char> {
+        name.chars().take(MAX_LENGTH + 1).flat_map(char::to_lowercase).collect()
+    };
+    let given = letters(wrong);
+    if given.is_empty() || given.len() > MAX_LENGTH {
         return None;
     }
-    let mut best: Option<(usize, Suggestion<'a>)> = None;
+    let mut best: Option<Suggestion<'a>> = None;
+    // The distance of the second best.
+    let mut second = usize::MAX;
     for name in names {
-        let letters: Vec<char> =
-            name.chars().take(MAX_LENGTH).flat_map(char::to_lowercase).collect();
-        let longest = letters.len().max(wrong.len());
+        let candidate = letters(name);
+        let longest = candidate.len().max(given.len());
         let allowed = (longest / 3).max(1);
-        let bound = best.as_ref().map_or(allowed, |(distance, _)| allowed.min(*distance));
-        if letters.len().abs_diff(wrong.len()) > bound {
+        let bound = best.map_or(allowed, |best| allowed.min(best.distance + 1));
+        if candidate.len().abs_diff(given.len()) > bound {
             continue;
         }
-        let distance = edit_distance(&wrong, &letters);
+        let distance = edit_distance(&given, &candidate);
         if distance > bound || distance == longest {
             continue;
         }
         match &mut best {
-            Some((least, suggestion)) if *least == distance => suggestion.sure = false,
-            _ => best = Some((distance, Suggestion { name, sure: distance <= 2 })),
+            Some(best) if best.name == name => {}
+            Some(best) if best.distance == distance => {
+                best.rival.get_or_insert(name);
+                second = distance;
+            }
+            Some(best) if best.distance < distance => second = second.min(distance),
+            _ => {
+                second = best.map_or(second, |best| best.distance);
+                best = Some(Suggestion { name, rival: None, sure: false, distance });
+            }
         }
     }
-    best.map(|(_, suggestion)| suggestion)
+    let best = best?;
+    let alone = best.distance == 0 || second > (best.distance + 1).min(2);
+    let sure = best.rival.is_none() && alone && is_misspelling(wrong, best.name, best.distance);
+    Some(Suggestion { sure, ..best })
+}
+
+/// Whether a word that is so many edits from another can be nothing but that one, misspelt.
+fn is_misspelling(wrong: &str, name: &str, distance: usize) -> bool {
+    if distance == 0 {
+        return true;
+    }
+    let digits = |text: &str| text.chars().filter(char::is_ascii_digit).collect::<String>();
+    let sorted = |text: &str| {
+        let mut letters: Vec<char> = text.to_lowercase().chars().collect();
+        letters.sort_unstable();
+        letters
+    };
+    let lengths = (wrong.chars().count(), name.chars().count());
+    // Of three letters, or four where one is another, many words are made.
+    let is_short = lengths.0.max(lengths.1) <= 3 || lengths == (4, 4);
+    distance <= 2
+        && (!is_short || sorted(wrong) == sorted(name))
+        // Another number is another thing.
+        && digits(wrong) == digits(name)
+        && !synonyms::is_word(wrong)
 }
 
 /// Optimal string alignment: insertions, deletions, replacements and swaps of neighbours.
@@ -111,15 +168,39 @@ mod tests {
     }
 
     #[test]
-    fn a_suggestion_with_a_rival_is_not_sure() {
-        assert_eq!(
-            nearest("tint3", ["tint1", "tint2"]),
-            Some(Suggestion { name: "tint1", sure: false })
-        );
-        assert_eq!(nearest("tnit", ["tint", "ior"]), Some(Suggestion { name: "tint", sure: true }));
-        assert_eq!(
-            nearest("fresnl_reflctn", ["fresnel_reflection"]).map(|it| it.sure),
-            Some(false)
-        );
+    fn only_what_can_be_nothing_else_is_sure() {
+        let sure = |wrong: &str, names: &[&str]| {
+            nearest(wrong, names.iter().copied()).map(|near| near.sure)
+        };
+        for (wrong, names) in [
+            ("tnit", &["tint", "ior"][..]),
+            ("mxi", &["mix", "sum", "add"]),
+            ("wieght", &["weight", "a", "b"]),
+            ("Weight", &["weight"]),
+            ("lambrt", &["lambert", "less"]),
+            ("kye", &["key", "fill"]),
+        ] {
+            assert_eq!(sure(wrong, names), Some(true), "{wrong}");
+        }
+        for (wrong, names) in [
+            ("tint3", &["tint1", "tint2"][..]),
+            ("layer2", &["layer1"]),
+            ("max", &["mix"]),
+            ("sub", &["sum"]),
+            ("lens", &["less"]),
+            ("fresnl_reflctn", &["fresnel_reflection"]),
+            ("scalar", &["scale"]),
+            ("normal", &["normals"]),
+            ("tints", &["tint", "tilts"]),
+        ] {
+            assert_eq!(sure(wrong, names), Some(false), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn two_that_are_as_near_are_both_named() {
+        let near = nearest("tint3", ["tint1", "tint2", "other"]).unwrap();
+        assert_eq!((near.name, near.rival), ("tint1", Some("tint2")));
+        assert_eq!(near.help(), "did you mean `tint1` or `tint2`?");
     }
 }

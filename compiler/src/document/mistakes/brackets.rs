@@ -1,0 +1,414 @@
+//! Which brackets are missing or too many. Where they do not come out even, indentation says where: a
+//! line that stands further out than it should follows one that is missing, a line that stands further
+//! in follows one too many. Indentation is believed only as far as the brackets need it.
+
+use super::Mistake;
+use super::tokens::{Kind, Lexer, Token};
+
+/// Deepest nesting that is followed.
+const DEEPEST: usize = 4096;
+
+/// Most brackets too many that are looked for beside as many that are missing.
+const MOST_PAIRS: usize = 4;
+
+/// Keys that stand only at the top of a file, for files that are not indented.
+const TOP_KEYS: [&str; 9] = [
+    "requires",
+    "interface",
+    "nodes",
+    "roots",
+    "camera",
+    "objects",
+    "lights",
+    "environment",
+    "options",
+];
+
+/// How brackets are to be read so that they come out even.
+#[derive(Debug, Default)]
+pub(super) struct Corrections {
+    /// Before the token at a byte, so many closing brackets are missing; by byte.
+    pub missing: Vec<(usize, usize)>,
+    /// Closing brackets, by byte, that are too many.
+    pub extra: Vec<usize>,
+    /// What is wrong with brackets.
+    pub mistakes: Vec<Mistake>,
+    /// Whether nothing was found out, for there are too many other mistakes.
+    pub given_up: bool,
+}
+
+/// A bracket that is open.
+#[derive(Clone, Debug)]
+struct Frame {
+    open: u8,
+    start: usize,
+    line: usize,
+    /// Indentation of the line it stands on.
+    indent: usize,
+    /// Indentation of the first line that starts within it.
+    child: Option<usize>,
+    /// The key it is the value of.
+    key: Option<(usize, usize)>,
+}
+
+/// Finds how the brackets of a text are to be read.
+pub(super) fn corrections(text: &str) -> Corrections {
+    let mut lexer = Lexer::new(text, true);
+    let (mut opened, mut closed, mut deepest) = (0_usize, 0_usize, 0_usize);
+    while let Some(token) = lexer.next() {
+        match token.kind {
+            Kind::Open(_) => opened += 1,
+            Kind::Close(_) => closed += 1,
+            _ => {}
+        }
+        deepest = deepest.max(opened.saturating_sub(closed));
+    }
+    if lexer.is_full() || deepest > DEEPEST {
+        return Corrections { given_up: true, ..Corrections::default() };
+    }
+    let missing = opened.saturating_sub(closed);
+    let extra = closed.saturating_sub(opened);
+    let by_lines = Matching::of(text, missing, extra, false);
+    if by_lines.overrun {
+        // They come out even, but one is too many before one is missing.
+        for more in 1..=MOST_PAIRS {
+            let pairs = Matching::of(text, missing + more, extra + more, false);
+            if pairs.is_solved() {
+                return pairs.finish();
+            }
+        }
+    }
+    if by_lines.missing > 0 {
+        // A file without indentation may still say by its keys where it is.
+        let by_keys = Matching::of(text, missing, extra, true);
+        if by_keys.missing < by_lines.missing {
+            return by_keys.finish();
+        }
+    }
+    by_lines.finish()
+}
+
+/// Brackets as they are matched.
+struct Matching<'t> {
+    text: &'t str,
+    /// How many closing brackets are missing, or too many, and not found yet.
+    missing: usize,
+    extra: usize,
+    stack: Vec<Frame>,
+    /// Closed since the last line started, each with the byte of its closing bracket.
+    closed: Vec<(Frame, usize)>,
+    /// The bracket that closed the outermost one, and that one.
+    end: Option<(Frame, usize)>,
+    /// End of the last token that is no comma, its kind, and its line.
+    last: (usize, Kind, usize),
+    line_indent: usize,
+    /// Whether something follows the end of what the file holds.
+    overrun: bool,
+    found: Corrections,
+}
+
+impl<'t> Matching<'t> {
+    fn of(text: &'t str, missing: usize, extra: usize, by_keys: bool) -> Self {
+        let mut matching = Self {
+            text,
+            missing,
+            extra,
+            stack: Vec::new(),
+            closed: Vec::new(),
+            end: None,
+            last: (0, Kind::Comma, 1),
+            line_indent: 0,
+            overrun: false,
+            found: Corrections::default(),
+        };
+        let mut lexer = Lexer::new(text, true);
+        let mut key: Option<(usize, usize)> = None;
+        let mut before = Kind::Comma;
+        while let Some(token) = lexer.next() {
+            if let Some(indent) = token.indent {
+                matching.line_indent = indent;
+                // Within a value that goes on, lines stand as they like.
+                if !matches!(before, Kind::Colon | Kind::Equals) {
+                    matching.start_line(token, indent);
+                }
+                matching.closed.clear();
+            }
+            match token.kind {
+                Kind::String | Kind::Word => {
+                    let is_key =
+                        matches!(lexer.peek().map(|it| it.kind), Some(Kind::Colon | Kind::Equals));
+                    key = is_key.then_some((token.start, token.end));
+                    if is_key && by_keys {
+                        matching.top_key(token);
+                    }
+                    matching.go_on();
+                }
+                Kind::Open(open) => {
+                    matching.go_on();
+                    let key = key.take().filter(|_| matches!(before, Kind::Colon | Kind::Equals));
+                    matching.open(open, token, key);
+                }
+                Kind::Close(close) => matching.close(close, token),
+                _ => {}
+            }
+            before = token.kind;
+            if !matches!(token.kind, Kind::Comma | Kind::Semicolon) {
+                matching.last = (token.end, token.kind, token.line);
+            }
+        }
+        matching
+    }
+
+    /// Whether all brackets are accounted for.
+    fn is_solved(&self) -> bool {
+        self.missing == 0 && self.extra == 0 && self.stack.is_empty() && !self.overrun
+    }
+
+    fn open(&mut self, open: u8, token: Token, key: Option<(usize, usize)>) {
+        let (start, line, indent) = (token.start, token.line, self.line_indent);
+        self.stack.push(Frame { open, start, line, indent, child: None, key });
+    }
+
+    /// What a line says of the brackets before it.
+    fn start_line(&mut self, token: Token, indent: usize) {
+        let is_close = matches!(token.kind, Kind::Close(_));
+        let suits = |frame: &Frame| match token.kind {
+            Kind::Close(close) => matches(frame.open, close) && frame.indent == indent,
+            _ => frame.child == Some(indent) && indent > frame.indent,
+        };
+        let top = self.stack.last().filter(|top| top.line < token.line);
+        if top.is_some_and(|top| suits(top) || (!is_close && top.child == Some(indent))) {
+            return;
+        }
+        let opens_out = top.is_some_and(|top| {
+            if is_close {
+                top.indent > indent
+            } else {
+                top.indent >= indent || top.child.is_some_and(|child| child > indent)
+            }
+        });
+        if self.missing > 0 && opens_out {
+            let outer =
+                self.stack.iter().rposition(|frame| frame.line < token.line && suits(frame));
+            let above = outer.map_or(0, |at| self.stack.len() - 1 - at);
+            if (1..=self.missing).contains(&above) {
+                self.add_missing(token, above);
+                return self.child(indent, is_close, token.line);
+            }
+        }
+        if self.extra > 0
+            && let Some(at) = self.closed.iter().rposition(|(frame, _)| suits(frame))
+        {
+            let undone = self.closed.len() - at;
+            if undone <= self.extra {
+                self.undo(undone);
+                return;
+            }
+        }
+        self.child(indent, is_close, token.line);
+    }
+
+    /// Keeps how far the first line within the innermost bracket stands in.
+    fn child(&mut self, indent: usize, is_close: bool, line: usize) {
+        if let Some(top) = self.stack.last_mut().filter(|top| !is_close && top.line < line) {
+            top.child.get_or_insert(indent);
+        }
+    }
+
+    /// A key of the top of a file that stands deeper: what is open between was to be closed before.
+    fn top_key(&mut self, token: Token) {
+        let name = self.text[token.start..token.end].trim_matches('"');
+        let above = self.stack.len().saturating_sub(1);
+        let in_objects = self.stack.iter().all(|frame| frame.open == b'{');
+        let known = self.stack.iter().skip(1).any(|frame| {
+            frame.key.is_some_and(|(start, end)| {
+                TOP_KEYS.contains(&self.text[start..end].trim_matches('"'))
+            })
+        });
+        if TOP_KEYS.contains(&name) && in_objects && known && (1..=self.missing).contains(&above) {
+            self.add_missing(token, above);
+        }
+    }
+
+    /// So many brackets, the innermost, were to be closed before a token.
+    fn add_missing(&mut self, token: Token, count: usize) {
+        let (at, _, last_line) = self.last;
+        self.missing -= count;
+        self.found.missing.push((token.start, count));
+        let frames = self.stack.split_off(self.stack.len() - count);
+        let closers: String = frames.iter().rev().map(|frame| closer(frame.open)).collect();
+        let outermost = &frames[0];
+        let what = self.name(outermost);
+        let message = format!("`{closers}` is missing here: {what} is never closed");
+        let help = if token.line > last_line {
+            let line = token.line;
+            format!("add `{closers}` at the end of line {last_line}: line {line} stands outside")
+        } else {
+            format!("add `{closers}`")
+        };
+        let mistake = Mistake::new((at, at), message, help);
+        let start = outermost.start;
+        self.found.mistakes.push(mistake.with((start, start + 1), "opened here"));
+    }
+
+    /// The last brackets that were closed stay open: those that closed them are too many.
+    fn undo(&mut self, count: usize) {
+        self.extra -= count;
+        let undone = self.closed.split_off(self.closed.len() - count);
+        for (frame, close) in undone.into_iter().rev() {
+            self.too_many(&frame, close);
+            if self.stack.is_empty() {
+                self.end = None;
+            }
+            self.stack.push(frame);
+        }
+    }
+
+    fn too_many(&mut self, frame: &Frame, close: usize) {
+        self.found.extra.push(close);
+        let bracket = char::from(self.text.as_bytes()[close]);
+        let what = self.name(frame);
+        let message = format!("one `{bracket}` too many: this one closes {what}");
+        let mistake = Mistake::new((close, close + 1), message, format!("remove one `{bracket}`"));
+        let opened = (frame.start, frame.start + 1);
+        self.found.mistakes.push(mistake.with(opened, "what it closes was opened here"));
+    }
+
+    /// Something stands where the outermost bracket is closed: if brackets are too many, that is one.
+    fn go_on(&mut self) {
+        let Some((frame, close)) = self.end.take_if(|_| self.stack.is_empty()) else { return };
+        if self.extra > 0 {
+            self.extra -= 1;
+            self.too_many(&frame, close);
+            self.stack.push(frame);
+        } else {
+            self.overrun = true;
+        }
+    }
+
+    fn close(&mut self, close: u8, token: Token) {
+        let matching = self.stack.iter().rposition(|frame| matches(frame.open, close));
+        let above = matching.map_or(0, |at| self.stack.len() - 1 - at);
+        match self.stack.last() {
+            Some(top) if matches(top.open, close) => self.pop(token),
+            // Nothing is open any more.
+            None => {
+                if self.extra > 0 {
+                    self.extra -= 1;
+                    self.found.extra.push(token.start);
+                    let bracket = char::from(close);
+                    let message = format!("one `{bracket}` too many: nothing is open here");
+                    let mut mistake = Mistake::new(
+                        (token.start, token.end),
+                        message,
+                        format!("remove one `{bracket}`"),
+                    );
+                    if let Some((frame, end)) = &self.end {
+                        mistake = mistake
+                            .with(
+                                (frame.start, frame.start + 1),
+                                "what the file holds was opened here",
+                            )
+                            .with((*end, end + 1), "and closed here");
+                    }
+                    self.found.mistakes.push(mistake);
+                }
+            }
+            Some(_) if (1..=self.missing).contains(&above) => {
+                self.add_missing(token, above);
+                self.pop(token);
+            }
+            Some(top) if self.extra > 0 => {
+                let (bracket, open) = (char::from(close), (top.start, top.start + 1));
+                let what = self.name(top);
+                let message = format!("this `{bracket}` closes nothing: {what} is open here");
+                let help = format!("remove it, or open with `{}` what it closes", opener(close));
+                let mistake = Mistake::new((token.start, token.end), message, help);
+                self.extra -= 1;
+                self.found.extra.push(token.start);
+                self.found.mistakes.push(mistake.with(open, "opened here"));
+            }
+            Some(top) => {
+                let (bracket, right) = (char::from(close), closer(top.open));
+                let what = self.name(top);
+                let message = format!(
+                    "this `{bracket}` closes {what}, which opens with `{}`",
+                    char::from(top.open)
+                );
+                let open = (top.start, top.start + 1);
+                let mistake =
+                    Mistake::new((token.start, token.end), message, format!("write `{right}`"));
+                self.found.mistakes.push(mistake.with(open, "opened here").fixed_by(right));
+                self.pop(token);
+            }
+        }
+    }
+
+    fn pop(&mut self, token: Token) {
+        let Some(frame) = self.stack.pop() else { return };
+        if self.stack.is_empty() {
+            self.end = Some((frame.clone(), token.start));
+        }
+        self.closed.push((frame, token.start));
+    }
+
+    /// What a bracket opened, for messages.
+    fn name(&self, frame: &Frame) -> String {
+        let kind = if frame.open == b'{' { "object" } else { "list" };
+        match frame.key {
+            Some((start, end)) => {
+                let key = self.text[start..end].trim_matches('"');
+                format!("`{}`", crate::diagnostics::shortened(key))
+            }
+            None if self.text[..frame.start].trim().is_empty() => {
+                format!("the {kind} the file starts with")
+            }
+            None => format!("this {kind}"),
+        }
+    }
+
+    /// Tells of what is still open at the end.
+    fn finish(mut self) -> Corrections {
+        if let (Some(innermost), true) = (self.stack.last(), self.missing > 0) {
+            let closers: String =
+                self.stack.iter().rev().take(8).map(|frame| closer(frame.open)).collect();
+            let open = (innermost.start, innermost.start + 1);
+            let (end, last, _) = self.last;
+            let mistake = if self.stack.len() == 1 && matches!(last, Kind::Close(_)) {
+                let what = self.name(innermost);
+                let bracket = char::from(innermost.open);
+                let message = format!(
+                    "this `{bracket}` is never closed: {what} goes on to the end of the file"
+                );
+                let help = format!("add the missing `{closers}`, at the end or where it belongs");
+                Mistake::new(open, message, help)
+            } else {
+                let what = self.name(innermost);
+                let message = format!("the file ends within {what}");
+                let help = format!("add the missing `{closers}`");
+                let mut mistake = Mistake::new((end, end), message, help);
+                for frame in self.stack.iter().rev().take(3) {
+                    mistake = mistake.with((frame.start, frame.start + 1), "opened here");
+                }
+                mistake
+            };
+            self.found.mistakes.push(mistake);
+        }
+        self.found.extra.sort_unstable();
+        self.found.missing.sort_unstable();
+        self.found
+    }
+}
+
+/// Whether a bracket closes another; round ones are told of as what they are.
+fn matches(open: u8, close: u8) -> bool {
+    (open == b'{') == (close == b'}')
+}
+
+fn closer(open: u8) -> char {
+    if open == b'{' { '}' } else { ']' }
+}
+
+fn opener(close: u8) -> char {
+    if close == b'}' { '{' } else { '[' }
+}

@@ -1,0 +1,278 @@
+//! Tokens of JSON and of what is taken for it.
+
+use super::{MOST, Mistake};
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// `{`, `[` or `(`.
+    Open(u8),
+    /// `}`, `]` or `)`.
+    Close(u8),
+    Comma,
+    /// `;` where a comma should be.
+    Semicolon,
+    Colon,
+    /// `=` where a colon should be.
+    Equals,
+    String,
+    /// A number, true, false, null, or what was meant as one.
+    Value,
+    /// Letters that are none of these.
+    Word,
+}
+
+/// A token with its place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Token {
+    pub kind: Kind,
+    pub start: usize,
+    pub end: usize,
+    /// Characters before it on its line, where it is the first one there.
+    pub indent: Option<usize>,
+    /// Its line, from 1.
+    pub line: usize,
+}
+
+/// Reads tokens, and notes what is wrong within them.
+pub(super) struct Lexer<'t> {
+    pub text: &'t str,
+    pub at: usize,
+    pub mistakes: Vec<Mistake>,
+    /// Whether mistakes are counted only.
+    quiet: bool,
+    pub told: usize,
+    line: usize,
+    line_start: usize,
+    fresh: bool,
+    /// Where the last comment ends: several in a row are one mistake.
+    comment: Option<usize>,
+    peeked: Option<Token>,
+}
+
+impl<'t> Lexer<'t> {
+    pub fn new(text: &'t str, quiet: bool) -> Self {
+        let mistakes = Vec::new();
+        let (line, line_start, fresh) = (1, 0, true);
+        let (comment, peeked) = (None, None);
+        Self { text, at: 0, mistakes, quiet, told: 0, line, line_start, fresh, comment, peeked }
+    }
+
+    /// Whether there are so many mistakes that no more are looked for.
+    pub fn is_full(&self) -> bool {
+        self.told >= MOST
+    }
+
+    pub fn tell(&mut self, mistake: Mistake) {
+        self.told += 1;
+        if !self.quiet {
+            self.mistakes.push(mistake);
+        }
+    }
+
+    pub fn byte(&self, at: usize) -> Option<u8> {
+        self.text.as_bytes().get(at).copied()
+    }
+
+    pub fn character(&self, at: usize) -> Option<char> {
+        self.text.get(at..)?.chars().next()
+    }
+
+    /// The next token, which stays.
+    pub fn peek(&mut self) -> Option<Token> {
+        if self.peeked.is_none() {
+            self.peeked = self.read();
+        }
+        self.peeked
+    }
+
+    /// The next token.
+    pub fn next(&mut self) -> Option<Token> {
+        self.peeked.take().or_else(|| self.read())
+    }
+
+    /// A token from a byte to where reading stands.
+    pub fn token(&mut self, kind: Kind, start: usize) -> Token {
+        let indent = self.fresh.then(|| start - self.line_start);
+        self.fresh = false;
+        Token { kind, start, end: self.at, indent, line: self.line }
+    }
+
+    /// Notes the line breaks up to where reading stands.
+    pub fn count_lines(&mut self, from: usize) {
+        let passed = &self.text.as_bytes()[from..self.at];
+        for (at, _) in passed.iter().enumerate().filter(|(_, byte)| **byte == b'\n') {
+            self.line += 1;
+            self.line_start = from + at + 1;
+        }
+    }
+
+    fn read(&mut self) -> Option<Token> {
+        loop {
+            if self.is_full() {
+                return None;
+            }
+            let start = self.at;
+            let c = self.character(start)?;
+            self.at += c.len_utf8();
+            let kind = match c {
+                '\n' => {
+                    (self.line, self.line_start, self.fresh) = (self.line + 1, self.at, true);
+                    continue;
+                }
+                ' ' | '\t' | '\r' => continue,
+                '"' => return Some(self.string(start)),
+                '{' | '[' | '(' => Kind::Open(c as u8),
+                '}' | ']' | ')' => Kind::Close(c as u8),
+                ',' => Kind::Comma,
+                ';' => Kind::Semicolon,
+                ':' => Kind::Colon,
+                '=' => {
+                    while matches!(self.byte(self.at), Some(b'=' | b'>')) {
+                        self.at += 1;
+                    }
+                    Kind::Equals
+                }
+                '#' => {
+                    self.comment(start, "\n");
+                    continue;
+                }
+                '/' if self.byte(self.at) == Some(b'/') => {
+                    self.comment(start, "\n");
+                    continue;
+                }
+                '/' if self.byte(self.at) == Some(b'*') => {
+                    self.comment(start, "*/");
+                    continue;
+                }
+                c if super::quotes::opens(c) => return Some(self.quoted(start, c)),
+                c if is_of_a_word(c) => return Some(self.word(start)),
+                c => match self.wide(start, c).or_else(|| self.stray(start, c)) {
+                    Some(kind) => kind,
+                    None => continue,
+                },
+            };
+            return Some(self.token(kind, start));
+        }
+    }
+
+    fn comment(&mut self, start: usize, end: &str) {
+        let found = self.text[self.at..].find(end);
+        let past = if end == "\n" { 0 } else { end.len() };
+        self.at = found.map_or(self.text.len(), |at| self.at + at + past);
+        // `/*/` is no whole comment.
+        if end == "*/" && self.at < start + 4 {
+            self.at = self.text[start + 2..]
+                .get(1..)
+                .and_then(|rest| rest.find(end))
+                .map_or(self.text.len(), |at| start + 3 + at + past);
+        }
+        let continues = self.comment.is_some_and(|before| {
+            self.text[before..start].bytes().all(|b| b.is_ascii_whitespace())
+        });
+        self.comment = Some(self.at);
+        self.count_lines(start);
+        if !continues {
+            let place = (start, self.at.min(line_end(self.text, start)));
+            let help = "move the text into a `\"doc\"` of the node or parameter";
+            self.tell(Mistake::new(place, "JSON has no comments", help));
+        }
+    }
+
+    /// Punctuation of other scripts, which stands for ours.
+    fn wide(&mut self, start: usize, c: char) -> Option<Kind> {
+        let (kind, plain) = match c {
+            '，' | '、' => (Kind::Comma, ","),
+            '：' => (Kind::Colon, ":"),
+            '｛' => (Kind::Open(b'{'), "{"),
+            '｝' => (Kind::Close(b'}'), "}"),
+            '［' => (Kind::Open(b'['), "["),
+            '］' => (Kind::Close(b']'), "]"),
+            _ => return None,
+        };
+        let message = format!("`{c}` is no JSON punctuation");
+        let mistake = Mistake::new((start, self.at), message, format!("write `{plain}`"));
+        self.tell(mistake.fixed_by(plain));
+        Some(kind)
+    }
+
+    /// Characters that start nothing; a run of them is one mistake.
+    fn stray(&mut self, start: usize, c: char) -> Option<Kind> {
+        let class = class_of(c);
+        while let Some(next) = self.character(self.at).filter(|&next| class_of(next) == class) {
+            let stands_for_something = next == '"'
+                || super::quotes::opens(next)
+                || is_of_a_word(next)
+                || matches!(
+                    next,
+                    '{' | '}' | '[' | ']' | '(' | ')' | ',' | ';' | ':' | '=' | '#' | '/'
+                )
+                || (class == Class::Other && next.is_ascii_whitespace());
+            if stands_for_something {
+                break;
+            }
+            self.at += next.len_utf8();
+        }
+        let place = (start, self.at);
+        let named = format!("U+{:04X}", u32::from(c));
+        let mistake = match class {
+            Class::Space => Mistake::new(
+                place,
+                format!("the white space {named} is none in JSON"),
+                "write a space",
+            )
+            .fixed_by(" "),
+            Class::Nothing if c == '\u{feff}' && start == 0 => Mistake::new(
+                place,
+                "the file has a byte order mark, which JSON does not allow",
+                "save the file as UTF-8 without BOM",
+            )
+            .fixed_by(""),
+            Class::Nothing => Mistake::new(
+                place,
+                format!("the character {named}, which cannot be seen, stands outside of strings"),
+                "remove it",
+            )
+            .fixed_by(""),
+            Class::Other => Mistake::new(
+                place,
+                format!("unexpected character {c:?}"),
+                "outside strings JSON has only ASCII punctuation, numbers, true, false and null",
+            ),
+        };
+        self.tell(mistake);
+        None
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Class {
+    /// White space that JSON does not know.
+    Space,
+    /// What cannot be seen.
+    Nothing,
+    Other,
+}
+
+fn class_of(c: char) -> Class {
+    match c {
+        '\u{feff}' => Class::Nothing,
+        c if c.is_whitespace() => Class::Space,
+        c if c.is_control()
+            || crate::diagnostics::escaped(c.encode_utf8(&mut [0; 4])).len() > 4 =>
+        {
+            Class::Nothing
+        }
+        _ => Class::Other,
+    }
+}
+
+/// Whether a character is part of a number or a word.
+pub(super) fn is_of_a_word(c: char) -> bool {
+    c.is_alphanumeric() || matches!(c, '_' | '+' | '-' | '.' | '$' | '@' | '%' | '&' | '\\')
+}
+
+/// Where the line that holds a byte ends.
+pub(super) fn line_end(text: &str, at: usize) -> usize {
+    text[at..].find(['\n', '\r']).map_or(text.len(), |found| at + found)
+}
