@@ -1,5 +1,6 @@
 //! Binding every input and root to its source, with the types checked.
 
+use crate::diagnostics::synonyms;
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Member, Reader, ValueKind, shortened};
 use crate::graph::{Binding, Node, Root};
@@ -8,7 +9,7 @@ use crate::nodes::{Default, Input, Kind, Literal, NodeType, Signature, Type};
 use super::MAX_NODES;
 use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
 use super::types::{Types, overload};
-use super::{lists, literals, mismatch};
+use super::{lists, literals, mismatch, references};
 
 /// The nodes and the roots. Nodes of unknown type are left out: they made a finding, and then there
 /// is no graph. Nodes that lists of shaders take come after those of the file.
@@ -191,6 +192,9 @@ fn bind_node<'d>(
         {
             let choices: Vec<(&str, i32)> =
                 (0..).zip(labels).map(|(at, it)| (it.as_str(), at)).collect();
+            if references::report(reader, draft, value, None, &what) {
+                continue;
+            }
             if let Some(label) = reader.choice(value, &what(), &choices) {
                 bindings[at] = Binding::Literal(Literal::Integer(label));
             }
@@ -235,9 +239,12 @@ fn missing_inputs(
         let required = matches!(input.default, Default::Required) && !given[at];
         let meant = |given: &DraftInput<'_>| {
             given.input.is_none()
-                && crate::document::nearest(&given.member.key, [input.name]).is_some()
+                && (crate::document::nearest(&given.member.key, [input.name]).is_some()
+                    || synonyms::input(&given.member.key, |name| name == input.name).is_some())
         };
-        if !required || drafted.inputs.iter().any(meant) {
+        // What stands beside `type` was told to be a level too high.
+        let misplaced = drafted.member.value.get(input.name).is_some();
+        if !required || misplaced || drafted.inputs.iter().any(meant) {
             continue;
         }
         let name = shortened(draft.name(node));
@@ -279,6 +286,9 @@ fn bind_source<'d>(
                 None => format!("connect {} instead", literals::with_article(to)),
             };
             reader.report(Code::TYPE_MISMATCH, source.value, message, help);
+            return None;
+        }
+        SourceKind::Literal if references::report(reader, draft, source.value, Some(to), what) => {
             return None;
         }
         SourceKind::Literal => {

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use crate::diagnostics::{Code, Finding, Findings};
-use crate::document::{Document, Reader, Value, ValueKind, read_file};
+use crate::document::{Document, Reader, Value, ValueKind, all_mistakes, read_file};
 use crate::graph::Graph;
 use crate::nodes::NodeLibrary;
 
@@ -38,16 +38,16 @@ impl Checked {
     }
 }
 
-/// Reads a graph file and checks it. A file that cannot be read, or is not JSON, is one finding.
+/// Reads a graph file and checks it. Of a file that is no JSON nothing but that is told.
 pub fn read_graph_file(path: &Path, library: &NodeLibrary) -> Checked {
     match read_file(path) {
         Ok(document) => check_graph(&document, library),
-        Err(finding) => Checked { findings: vec![*finding], ..Checked::default() },
+        Err(finding) => Checked { findings: all_mistakes(*finding), ..Checked::default() },
     }
 }
 
 /// The keys of a phenomenon.
-const KEYS: [&str; 10] = [
+pub(super) const KEYS: [&str; 10] = [
     "$schema",
     "format",
     "phenomenon",

@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 use std::ops::RangeInclusive;
 
+use crate::diagnostics::synonyms;
 use crate::diagnostics::{Code, Finding};
 use crate::document::{MAX_FILE_BYTES, Member, Object, Reader, Value, ValueKind, shortened, shown};
 use crate::graph::Parameter;
@@ -141,9 +142,10 @@ fn declaration<'d>(
         .map(|value_type| (value_type.name(), Said::One(value_type)))
         .collect();
     choices.extend([("array", Said::Array), ("struct", Said::Struct)]);
-    let said = object
-        .required(reader, "type")
-        .and_then(|value| reader.choice(value, "the type of a parameter", &choices));
+    let said = object.required(reader, "type").and_then(|value| {
+        let what = "the type of a parameter";
+        reader.choice_or(value, what, &choices, synonyms::value_type)
+    });
     let keys: &[&str] = match said {
         // What it may be is not known, so any of them may be right.
         None => &ALL_KEYS,

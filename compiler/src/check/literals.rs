@@ -191,7 +191,9 @@ fn mismatch(reader: &mut Reader<'_>, value: &Value, to: Type, what: &dyn Fn() ->
     };
     let help = match &value.kind {
         ValueKind::String(_) if to != Type::Shader => {
-            format!("{form}, or a connection: {{ \"node\": \"name\" }}")
+            format!(
+                "{form}, or a connection: `{{ \"node\": \"name\" }}` or `{{ \"interface\": \"name\" }}`"
+            )
         }
         _ => form.to_owned(),
     };

@@ -28,6 +28,7 @@ mod nested;
 mod nodes;
 mod ranges;
 mod reach;
+mod references;
 mod requirements;
 mod roots;
 mod shapes;

@@ -6,7 +6,9 @@ use std::rc::Rc;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::diagnostics::{Code, Finding, Findings, Place, SourceFile};
-use crate::document::{Document, Reader, Value, irregular, open_file, read_file, shortened};
+use crate::document::{
+    Document, Reader, Value, all_mistakes, irregular, open_file, read_file, shortened,
+};
 use crate::graph::{Binding, Graph, Root, RootKind};
 use crate::nodes::{
     Default, Definition, FINITE, Input, Kind, NodeLibrary, Output, Overload, Signature, Type,
@@ -130,10 +132,16 @@ pub(super) struct Nest<'n> {
     files: &'n dyn Files,
     /// Every file that was read; none where it cannot be used.
     read: HashMap<PathBuf, Option<Rc<Nested>>>,
-    /// The files being checked, outermost first, each with its name and the place that names the
-    /// next one.
-    stack: Vec<(PathBuf, String, Option<Place>)>,
+    /// The files being checked, outermost first, each with its name and the use of the next one.
+    stack: Vec<(PathBuf, String, Option<Use>)>,
     findings: Findings,
+}
+
+/// Where a file uses another one.
+struct Use {
+    place: Place,
+    /// The node that does.
+    node: String,
 }
 
 impl<'n> Nest<'n> {
@@ -168,7 +176,7 @@ impl<'n> Nest<'n> {
             }
             if let Some(object) = reader.object(value, "the type of a node", &["file"]) {
                 let place = object.optional("file").unwrap_or(value);
-                let found = self.find(reader, file, place);
+                let found = self.find(reader, file, place, &member.key);
                 let node_type = found.and_then(|(path, nested)| {
                     let definition = definition(&path, &nested);
                     let name = definition.signature.name;
@@ -188,6 +196,7 @@ impl<'n> Nest<'n> {
         reader: &mut Reader<'_>,
         file: &str,
         value: &Value,
+        node: &str,
     ) -> Option<(String, Rc<Nested>)> {
         let from = Path::new(&reader.document.file.name);
         let path = from.parent().unwrap_or(Path::new("")).join(file);
@@ -207,11 +216,11 @@ impl<'n> Nest<'n> {
             reader.findings.push(Finding::new(Code::RECURSION, place, message, help));
             return None;
         }
+        if let Some((.., using)) = self.stack.last_mut() {
+            *using = Some(Use { place: place.clone(), node: node.to_owned() });
+        }
         let nested = match self.files.read(&path) {
             Ok(document) => {
-                if let Some((.., naming)) = self.stack.last_mut() {
-                    *naming = Some(place);
-                }
                 self.stack.push((identity.clone(), name.clone(), None));
                 let nested = self.check(&document);
                 self.stack.pop();
@@ -225,10 +234,15 @@ impl<'n> Nest<'n> {
                 None
             }
             Err(finding) => {
-                self.findings.push(*finding);
+                for finding in all_mistakes(*finding) {
+                    self.push(finding);
+                }
                 None
             }
         };
+        if let Some((.., using)) = self.stack.last_mut() {
+            *using = None;
+        }
         self.read.insert(identity, nested.clone());
         nested.map(|nested| (name, nested))
     }
@@ -238,9 +252,22 @@ impl<'n> Nest<'n> {
         let checked = check(&mut reader, self);
         let usable = !reader.findings.has_errors();
         for finding in reader.findings.into_sorted() {
-            self.findings.push(finding);
+            self.push(finding);
         }
         checked.filter(|_| usable).map(Rc::new)
+    }
+
+    /// Keeps a finding in a nested file, with the nodes that use the file, innermost first.
+    fn push(&mut self, mut finding: Finding) {
+        // Their texts cost more than the finding, where there are too many to be shown.
+        if !self.findings.is_full() {
+            let uses = self.stack.iter().rev().filter_map(|(.., using)| using.as_ref());
+            for Use { place, node } in uses {
+                let message = format!("node `{}` uses the file here", shortened(node));
+                finding = finding.with_related(place.clone(), message);
+            }
+        }
+        self.findings.push(finding);
     }
 
     fn recursion(&self, start: usize, place: Place) -> Finding {
@@ -253,9 +280,9 @@ impl<'n> Nest<'n> {
         let help =
             "a phenomenon must not be a part of itself; break the circle at one of its files";
         let mut finding = Finding::new(Code::RECURSION, place, message, help);
-        for (_, _, naming) in &self.stack[start..] {
-            if let Some(naming) = naming {
-                finding = finding.with_related(naming.clone(), "uses the next file here");
+        for (.., using) in &self.stack[start..self.stack.len() - 1] {
+            if let Some(using) = using {
+                finding = finding.with_related(using.place.clone(), "uses the next file here");
             }
         }
         finding

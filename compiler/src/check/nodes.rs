@@ -2,8 +2,9 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Member, Reader, Value, ValueKind, listed, shortened};
+use crate::diagnostics::synonyms::{self, Synonym};
+use crate::diagnostics::{Code, Finding, listed_or};
+use crate::document::{Member, Reader, Value, ValueKind, advice, listed, shortened};
 use crate::nodes::{NodeType, Signature};
 
 use super::MAX_NODES;
@@ -83,6 +84,7 @@ fn read_header<'d>(
     let mut node_type = None;
     let mut has_type = false;
     let mut version = None;
+    let mut unknown = Vec::new();
     let members = reader.members(&member.value, "a node")?;
     for part in members {
         match part.key.as_str() {
@@ -99,9 +101,10 @@ fn read_header<'d>(
                     .map(|it| (it as i32, &part.value))
             }
             "inputs" | "editor" => {}
-            _ => reader.unknown_key(part, &what(), &KEYS),
+            _ => unknown.push(part),
         }
     }
+    unknown_keys(reader, draft, member, node_type, unknown);
     if !has_type {
         reader.missing(&member.value, &what(), "type");
     }
@@ -109,6 +112,50 @@ fn read_header<'d>(
         check_version(reader, draft, node_type, version, value);
     }
     node_type
+}
+
+/// Reports the keys a node does not have. Those that are inputs of its type stand a level too high, which
+/// is one mistake.
+fn unknown_keys<'d>(
+    reader: &mut Reader<'d>,
+    draft: &Draft<'d>,
+    node: &'d Member,
+    node_type: Option<NodeType>,
+    unknown: Vec<&'d Member>,
+) {
+    let signature = node_type.map(|node_type| draft.library.signature(node_type));
+    let inputs = node.value.get("inputs");
+    let is_input = |member: &Member| match signature {
+        Some(signature) => {
+            let key = &member.key;
+            signature.input(key).is_some()
+                || synonyms::input(key, |name| signature.input(name).is_some()).is_some()
+                    && synonyms::key(key, |ours| KEYS.contains(&ours)).is_none()
+        }
+        // Of a type that is not known nothing but inputs can be meant.
+        None => inputs.is_none() && crate::document::nearest(&member.key, KEYS).is_none(),
+    };
+    let (misplaced, others): (Vec<&Member>, Vec<&Member>) =
+        unknown.into_iter().partition(|member| is_input(member));
+    let name = shortened(&node.key);
+    for member in others {
+        reader.unknown_key(member, &format!("node `{name}`"), &KEYS);
+    }
+    let Some(first) = misplaced.first() else { return };
+    // What they connect is not looked at where they stand.
+    draft.unresolved.set(true);
+    let names = || misplaced.iter().map(|member| member.key.as_str());
+    let message = match misplaced.len() {
+        1 => format!("node `{name}` has its input {} beside `type`", listed(names())),
+        _ => format!("node `{name}` has its inputs {} beside `type`", listed(names())),
+    };
+    let form: Vec<String> =
+        names().take(3).map(|key| format!("\"{}\": …", shortened(key))).collect();
+    let help = match inputs {
+        Some(_) => "move them into its `inputs`".to_owned(),
+        None => format!("put them under `inputs`: `\"inputs\": {{ {} }}`", form.join(", ")),
+    };
+    reader.report_key(Code::UNKNOWN_KEY, first, message, help);
 }
 
 /// Version of every node type of the library.
@@ -148,15 +195,14 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
         let names: Vec<&str> =
             draft.library.iter().map(|(_, definition)| definition.signature.name).collect();
         let near = draft.suggestions.nearest(name, names.iter().copied());
-        let help = match near {
-            Some(near) => near.help(),
-            None => "`phenomenon nodes` lists every type".into(),
-        };
+        // A library of another crate may lack what the tables name.
+        let synonym = synonyms::node(name)
+            .filter(|found| found.ours.iter().all(|ours| draft.library.find(ours).is_some()));
+        let (help, fix) = advice(synonym, near, || "`phenomenon nodes` lists every type".into());
         let message = format!("there is no node type `{}`", shortened(name));
-        let mut finding =
-            Finding::new(Code::UNKNOWN_NODE_TYPE, reader.document.place(value), message, help);
-        finding.fix = near.and_then(|near| near.fix());
-        reader.findings.push(finding);
+        let place = reader.document.place(value);
+        let finding = Finding::new(Code::UNKNOWN_NODE_TYPE, place, message, help);
+        reader.findings.push(Finding { fix, ..finding });
     }
     found
 }
@@ -195,6 +241,42 @@ fn check_given_twice(reader: &mut Reader<'_>, signature: &Signature, inputs: &[D
 fn shape_of<'a>(draft: &'a Draft<'_>, node: usize, member: &Member) -> Option<&'a Shape> {
     let nested = draft.nested.get(&draft.nodes[node].node_type?)?;
     nested.shapes.iter().find(|(name, _)| *name == member.key).map(|(_, shape)| shape)
+}
+
+/// Reports an input the node does not have.
+fn unknown_input(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    node: usize,
+    signature: &Signature,
+    member: &Member,
+) {
+    let names = || signature.inputs.iter().map(|input| input.name);
+    let near = draft.suggestions.nearest(&member.key, names());
+    // What is given already is not meant once more.
+    let inputs = draft.nodes[node].member.value.get("inputs");
+    let is_given = |name: &str| inputs.is_some_and(|inputs| inputs.get(name).is_some());
+    let is_free = |name: &str| signature.input(name).is_some() && !is_given(name);
+    let (help, fix) = match synonyms::input(&member.key, is_free) {
+        // Whose `in1` is whose `fg`: the order of a mix is what others differ in.
+        Some(Synonym { ours, .. }) if signature.name == "mix" => {
+            let help = format!(
+                "did you mean {}? `a` is the background, there at `weight` 0, and `b` the foreground",
+                listed_or(ours)
+            );
+            (help, None)
+        }
+        synonym => advice(synonym, near, || match signature.inputs.is_empty() {
+            true => "it has no inputs".into(),
+            false => format!("its inputs are {}", listed(names())),
+        }),
+    };
+    let fix = fix.filter(|_| near.is_none_or(|near| !is_given(near.name)));
+    let place = reader.document.place_of_key(member);
+    let (name, kind) = (shortened(draft.name(node)), signature.name);
+    let message = format!("node `{name}` ({kind}) has no input `{}`", shortened(&member.key));
+    let finding = Finding::new(Code::UNKNOWN_INPUT, place, message, help);
+    reader.findings.push(Finding { fix, ..finding });
 }
 
 fn read_inputs<'d>(
@@ -236,20 +318,7 @@ fn read_inputs<'d>(
         if let Some(signature) = signature
             && input.is_none()
         {
-            let names = || signature.inputs.iter().map(|input| input.name);
-            let near = draft.suggestions.nearest(&member.key, names());
-            let help = match near {
-                Some(near) => near.help(),
-                None if signature.inputs.is_empty() => "it has no inputs".into(),
-                None => format!("its inputs are {}", listed(names())),
-            };
-            let place = reader.document.place_of_key(member);
-            let (name, kind) = (shortened(draft.name(node)), signature.name);
-            let message =
-                format!("node `{name}` ({kind}) has no input `{}`", shortened(&member.key));
-            let mut finding = Finding::new(Code::UNKNOWN_INPUT, place, message, help);
-            finding.fix = near.and_then(|near| near.fix());
-            reader.findings.push(finding);
+            unknown_input(reader, draft, node, signature, member);
         }
         let source = sources::read(reader, &member.value, draft);
         inputs.push(DraftInput { member, input, source });

@@ -1,10 +1,12 @@
 //! Reading `roots`: what a phenomenon is called for.
 
+use crate::diagnostics::synonyms;
 use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, Value, ValueKind, listed};
+use crate::document::{Reader, Value, ValueKind, advice, listed};
 use crate::graph::RootKind;
 
 use super::draft::{Draft, DraftRoot, Source, SourceKind};
+use super::graph::KEYS;
 use super::sources;
 
 /// Most shaders in the list of a root.
@@ -19,10 +21,11 @@ pub(super) fn read<'d>(
 ) {
     let Some(value) = value else {
         // A misspelt `roots` was reported as the unknown key it is.
-        let misspelt = graph
-            .members()
-            .iter()
-            .any(|member| crate::document::nearest(&member.key, ["roots"]).is_some());
+        let misspelt = graph.members().iter().any(|member| {
+            crate::document::nearest(&member.key, ["roots"]).is_some()
+                || synonyms::key(&member.key, |ours| ours == "roots").is_some()
+                    && !KEYS.contains(&member.key.as_str())
+        });
         if !misspelt {
             no_root(reader, graph.start);
         }
@@ -55,15 +58,13 @@ fn no_root(reader: &mut Reader<'_>, at: usize) {
 fn unknown_root(reader: &mut Reader<'_>, member: &crate::document::Member) {
     let names = RootKind::ALL.map(RootKind::name);
     let near = crate::document::nearest(&member.key, names);
-    let help = match near {
-        Some(near) => near.help(),
-        None => format!("the shader types are {}", listed(names)),
-    };
+    let (help, fix) = advice(synonyms::root(&member.key), near, || {
+        format!("the shader types are {}", listed(names))
+    });
     let message = format!("there is no shader type `{}`", crate::document::shortened(&member.key));
     let place = reader.document.place_of_key(member);
-    let mut finding = Finding::new(Code::UNKNOWN_ROOT, place, message, help);
-    finding.fix = near.and_then(|near| near.fix());
-    reader.findings.push(finding);
+    let finding = Finding::new(Code::UNKNOWN_ROOT, place, message, help);
+    reader.findings.push(Finding { fix, ..finding });
 }
 
 /// A root's shaders and ok: either alone, or as an object of both. A list of connections is a chain of

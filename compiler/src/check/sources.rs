@@ -1,9 +1,11 @@
 //! Reading what an input or a root is given: a literal, an interface parameter, a connection.
 
+use crate::diagnostics::synonyms;
 use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, Value, ValueKind, listed, shortened};
+use crate::document::{Reader, Value, ValueKind, advice, listed, shortened};
 
 use super::draft::{Draft, Source, SourceKind};
+use super::references;
 
 const HELP: &str = "write `{ \"node\": \"name\" }`, `{ \"node\": \"name\", \"output\": \"name\" }` or `{ \"interface\": \"name\" }`";
 
@@ -52,7 +54,8 @@ fn connection<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) 
         return SourceKind::Broken;
     };
     let Some(&node) = draft.node_names.get(name) else {
-        unknown_node(reader, object.optional("node").unwrap_or(value), name, draft);
+        let lone = object.optional("output").is_none();
+        unknown_node(reader, object.optional("node").unwrap_or(value), (name, lone), draft);
         return SourceKind::Broken;
     };
     let Some(node_type) = draft.nodes[node].node_type else {
@@ -65,42 +68,69 @@ fn connection<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) 
     };
     let found = signature.output(output);
     if found.is_none() {
-        let names = || signature.outputs.iter().map(|output| output.name);
-        let near = draft.suggestions.nearest(output, names());
-        let help = match near {
-            Some(near) => near.help(),
-            None => format!("its outputs are {}", listed(names())),
-        };
-        let message = format!(
-            "node `{}` ({}) has no output `{}`",
-            shortened(name),
-            signature.name,
-            shortened(output)
-        );
-        let place = reader.document.place(given);
-        let mut finding = Finding::new(Code::UNKNOWN_OUTPUT, place, message, help);
-        finding.fix = near.and_then(|near| near.fix());
-        reader.findings.push(finding);
+        unknown_output(reader, draft, given, node, output);
     }
     SourceKind::Node(node, found)
 }
 
-fn unknown_node(reader: &mut Reader<'_>, value: &Value, name: &str, draft: &Draft<'_>) {
-    let near =
-        draft.suggestions.nearest(name, draft.nodes.iter().map(|node| node.member.key.as_str()));
-    let mut fix = near.and_then(|near| near.fix());
-    let help = match near {
-        Some(near) => near.help(),
-        None if draft.parameter_names.contains_key(name) => {
-            fix = None;
-            format!("for the interface parameter write `{{ \"interface\": \"{name}\" }}`")
+/// Reports an output the node does not have.
+fn unknown_output(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    given: &Value,
+    node: usize,
+    output: &str,
+) {
+    let Some(node_type) = draft.nodes[node].node_type else { return };
+    let signature = draft.library.signature(node_type);
+    let names = || signature.outputs.iter().map(|output| output.name);
+    let (help, fix) = match references::part_of_output(draft, node, output) {
+        Some(help) => (help, None),
+        None => {
+            let near = draft.suggestions.nearest(output, names());
+            let has = |name: &str| signature.output(name).is_some();
+            advice(synonyms::output(output, has), near, || {
+                format!("its outputs are {}", listed(names()))
+            })
         }
-        None => format!("add a node `{}` to `nodes`, or connect another", shortened(name)),
+    };
+    let message = format!(
+        "node `{}` ({}) has no output `{}`",
+        shortened(draft.name(node)),
+        signature.name,
+        shortened(output)
+    );
+    let finding = Finding::new(Code::UNKNOWN_OUTPUT, reader.document.place(given), message, help);
+    reader.findings.push(Finding { fix, ..finding });
+}
+
+/// Reports a connection to a node that does not exist; `lone` is one without `output`.
+fn unknown_node(
+    reader: &mut Reader<'_>,
+    value: &Value,
+    (name, lone): (&str, bool),
+    draft: &Draft<'_>,
+) {
+    let near = || {
+        let names = draft.nodes.iter().map(|node| node.member.key.as_str());
+        draft.suggestions.nearest(name, names)
+    };
+    let (help, fix) = match references::meant(draft, name) {
+        Some(meant) => {
+            let fix = meant.members.filter(|_| lone);
+            (meant.help, fix)
+        }
+        None => match near() {
+            Some(near) => (near.help(), near.fix()),
+            None => {
+                let name = shortened(name);
+                (format!("add a node `{name}` to `nodes`, or connect another"), None)
+            }
+        },
     };
     let message = format!("there is no node `{}`", shortened(name));
-    let mut finding = Finding::new(Code::UNKNOWN_NODE, reader.document.place(value), message, help);
-    finding.fix = fix;
-    reader.findings.push(finding);
+    let finding = Finding::new(Code::UNKNOWN_NODE, reader.document.place(value), message, help);
+    reader.findings.push(Finding { fix, ..finding });
 }
 
 fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> SourceKind {
@@ -132,25 +162,28 @@ fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
             .nearest(name, names())
             .or_else(|| draft.suggestions.nearest(name, wholes())),
     };
-    let help = match near {
-        Some(near) => near.help(),
-        None if draft.compound_names.contains_key(whole) => {
+    let part = references::part_of_parameter(draft, name);
+    let near = near.filter(|_| part.is_none());
+    let help = match (part, near) {
+        (Some(help), _) => help,
+        (None, Some(near)) => near.help(),
+        (None, None) if draft.compound_names.contains_key(whole) => {
             let of_whole = |part: &str| {
                 part.strip_prefix(whole).is_some_and(|rest| rest.starts_with(['.', '[']))
             };
             let parts = names().filter(|part| of_whole(part));
             format!("its parts are {}", listed(parts))
         }
-        None if draft.node_names.contains_key(name) => {
+        _ if draft.node_names.contains_key(name) => {
             format!("for the node write `{{ \"node\": \"{name}\" }}`")
         }
-        None if draft.parameters.is_empty() => {
+        _ if draft.parameters.is_empty() => {
             format!(
                 "declare it: `\"interface\": {{ \"{}\": {{ \"type\": …, \"default\": … }} }}`",
                 shortened(name)
             )
         }
-        None => format!("its parameters are {}", listed(names())),
+        _ => format!("its parameters are {}", listed(names())),
     };
     let message = match draft.compound_names.get(whole) {
         Some(&at) if whole != name => format!(

@@ -18,16 +18,16 @@ use std::sync::Arc;
 
 use crate::diagnostics::SourceFile;
 
+pub use crate::diagnostics::listed;
+pub(crate) use crate::diagnostics::shortened;
 pub use canonical::canonical;
 pub(crate) use open::irregular;
 pub use open::{open_file, opened_files};
 pub use format::FORMAT;
 pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES};
 pub use read::{all_mistakes, read, read_file, read_from};
-pub use reader::{Object, Reader};
-pub(crate) use crate::diagnostics::shortened;
-pub use crate::diagnostics::listed;
 pub(crate) use reader::shown;
+pub use reader::{Object, Reader};
 pub(crate) use suggest::advice;
 pub use suggest::{Suggestion, nearest};
 
