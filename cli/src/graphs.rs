@@ -49,7 +49,7 @@ impl EngineArguments {
 pub fn read(path: &Path, library: &NodeLibrary) -> Result<Graph, Failure> {
     let checked = match inputs::read(path) {
         Ok(document) => check_graph(&document, library),
-        Err(finding) => Checked { findings: vec![*finding], ..Checked::default() },
+        Err(finding) => Checked { findings: all_mistakes(*finding), ..Checked::default() },
     };
     self::checked(path, checked)
 }

@@ -259,7 +259,7 @@ fn unknown_input(
     let is_free = |name: &str| signature.input(name).is_some() && !is_given(name);
     let (help, fix) = match synonyms::input(&member.key, is_free) {
         // Whose `in1` is whose `fg`: the order of a mix is what others differ in.
-        Some(Synonym { ours, .. }) if signature.name == "mix" => {
+        Some(Synonym { ours, .. }) if signature.name == "mix" && ours != ["weight"] => {
             let help = format!(
                 "did you mean {}? `a` is the background, there at `weight` 0, and `b` the foreground",
                 listed_or(ours)

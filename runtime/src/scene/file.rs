@@ -44,7 +44,7 @@ pub fn is_scene(document: &Document) -> bool {
 pub fn read_scene_file(path: &Path) -> SceneFile {
     match read_file(path) {
         Ok(document) => check_scene(&document, path.parent().unwrap_or(Path::new(""))),
-        Err(finding) => SceneFile { findings: vec![*finding], ..SceneFile::default() },
+        Err(finding) => SceneFile { findings: all_mistakes(*finding), ..SceneFile::default() },
     }
 }
 
@@ -53,7 +53,7 @@ pub fn read_scene_file(path: &Path) -> SceneFile {
 pub fn read_scene(name: &str, bytes: &[u8], folder: &Path) -> SceneFile {
     match read(name, bytes) {
         Ok(document) => check_scene(&document, folder),
-        Err(finding) => SceneFile { findings: vec![*finding], ..SceneFile::default() },
+        Err(finding) => SceneFile { findings: all_mistakes(*finding), ..SceneFile::default() },
     }
 }
 

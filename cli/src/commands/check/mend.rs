@@ -40,6 +40,8 @@ fn shown(text: &str) -> String {
 
 /// A text in which something was mended.
 pub struct Mended {
+    /// The text as it was.
+    pub before: String,
     /// The new text.
     pub text: String,
     /// What was put in, in the order in which it was.
@@ -52,13 +54,14 @@ pub struct Mended {
 /// surely mends it. A fix that leads to an error that was not there before is left out.
 pub fn mend(
     name: &str,
-    checked: Checked,
+    checked: &Checked,
     check: &mut dyn FnMut(&str) -> Checked,
 ) -> Option<Mended> {
     let first = checked.findings.iter().find(|finding| can_be_fixed(finding, name))?;
     let text = first.place.file.text.clone();
     let mut mender = Mender { name, check, checks: 0, refused: HashSet::new() };
-    let mut mended = Mended { text, fixes: Vec::new(), checked };
+    let before = text.clone();
+    let mut mended = Mended { before, text, fixes: Vec::new(), checked: checked.clone() };
     while mender.checks < MOST_CHECKS {
         let fixable: Vec<Finding> = mender.fixable(&mended.checked.findings);
         match mender.some_of(&mended, &fixable) {
@@ -220,7 +223,7 @@ mod tests {
     }
 
     fn mended(text: &str) -> Option<Mended> {
-        mend("a.json", check(text), &mut check)
+        mend("a.json", &check(text), &mut check)
     }
 
     fn graph(nodes: &str) -> String {

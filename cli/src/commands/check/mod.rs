@@ -1,18 +1,20 @@
 //! `phenomenon check`: everything that is wrong in graphs and scenes.
 
+mod mend;
 mod scene;
 
 pub use scene::check_with as check_scene;
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::HashSet;
 use std::path::PathBuf;
 
 use phenomenon_compiler::check::{Checked, OnDisk, check_graph};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
-use phenomenon_compiler::document;
+use phenomenon_compiler::document::{self, Document};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::scene::is_scene;
 
+use crate::difference;
 use crate::failure::{Failure, Outcome};
 use crate::inputs::{self, Input};
 use crate::outputs;
@@ -36,9 +38,12 @@ pub struct Arguments {
     /// Say nothing of findings with this code that are no errors; may be given many times.
     #[arg(long, value_name = "CODE", value_parser = code)]
     allow: Vec<Code>,
-    /// Put the names in that were surely meant, and check again.
+    /// Put in what can only be meant, as far as nothing new is wrong then, and tell what it was.
     #[arg(long)]
     fix: bool,
+    /// With --fix, show what would change, and write nothing.
+    #[arg(long, requires = "fix")]
+    diff: bool,
 }
 
 const EXAMPLES: &str = "\
@@ -73,12 +78,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     found.failures.iter().for_each(terminal::complain);
     for input in found.inputs {
         let mut checked = check_input(&input, &library)?;
-        // A mended type shows what is wrong with its inputs, so it takes a few rounds.
-        for _ in 0..MOST_ROUNDS {
-            if !arguments.fix || !mend(&input, &checked.findings)? {
-                break;
-            }
-            checked = check_input(&input, &library)?;
+        if arguments.fix {
+            checked = fix(&input, checked, &library, arguments.diff)?;
         }
         omitted += checked.omitted;
         // A file that several others use is checked with each of them, but told of once.
@@ -116,41 +117,52 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     })
 }
 
-/// Most times a file is mended and checked again.
-const MOST_ROUNDS: usize = 8;
-
-/// Writes the file anew with the sure suggestions put in; whether there were any.
-fn mend(input: &Input, findings: &[Finding]) -> Result<bool, Failure> {
+/// Writes the file anew with what surely mends it put in, and tells what that was; with `diff` it is
+/// shown and not written. What is found then.
+fn fix(
+    input: &Input,
+    checked: Checked,
+    library: &NodeLibrary,
+    diff: bool,
+) -> Result<Checked, Failure> {
+    let name = input.path.display().to_string();
+    let mut check = |text: &str| check_read(document::read(&name, text.as_bytes()), input, library);
+    let Some(mended) = mend::mend(&name, &checked, &mut check) else { return Ok(checked) };
+    if diff {
+        terminal::print(&difference::unified(&name, &mended.before, &mended.text))?;
+        return Ok(checked);
+    }
     if inputs::is_stream(&input.path) {
         return Err(Failure::new(
             "--fix cannot change standard input",
-            "give the path of a file instead of `-`",
+            "give the path of a file instead of `-`, or add `--diff` to see what would change",
         ));
     }
-    let name = input.path.display().to_string();
-    // By place, so that no two overlap; from the end, so that places stay right.
-    let fixes: BTreeMap<usize, (&Finding, &String)> = findings
-        .iter()
-        .filter(|finding| finding.place.file.name == name)
-        .filter_map(|finding| Some((finding.place.start, (finding, finding.fix.as_ref()?))))
-        .collect();
-    let Some((_, (first, _))) = fixes.first_key_value() else { return Ok(false) };
-    let mut text = first.place.file.text.clone();
-    for (finding, fix) in fixes.values().rev() {
-        text.replace_range(finding.place.start..finding.place.end, fix);
+    outputs::rewrite(&input.path, &mended.text)?;
+    for fix in &mended.fixes {
+        terminal::tell(&format!("fixed {fix}"));
     }
-    outputs::rewrite(&input.path, &text)?;
-    Ok(true)
+    Ok(mended.checked)
 }
 
 fn check_input(input: &Input, library: &NodeLibrary) -> Result<Checked, Failure> {
-    let document = inputs::read(&input.path);
-    Ok(match document {
+    Ok(check_read(inputs::read(&input.path), input, library))
+}
+
+/// What is found in a document that was read, or in one that could not be.
+fn check_read(
+    document: Result<Document, Box<Finding>>,
+    input: &Input,
+    library: &NodeLibrary,
+) -> Checked {
+    match document {
         Ok(document) if input.in_folder && !inputs::is_ours(&document) => Checked::default(),
         Ok(document) if is_scene(&document) => {
             scene::check(&document, inputs::folder(&input.path), library, &OnDisk)
         }
         Ok(document) => check_graph(&document, library),
-        Err(finding) => Checked { findings: vec![*finding], ..Checked::default() },
-    })
+        Err(finding) => {
+            Checked { findings: document::all_mistakes(*finding), ..Checked::default() }
+        }
+    }
 }

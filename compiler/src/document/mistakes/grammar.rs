@@ -220,6 +220,8 @@ impl<M: Iterator<Item = (usize, usize)>, E: Iterator<Item = usize>> Grammar<'_, 
                 return false;
             }
             (Root::Before, _) => {
+                // A text of another kind has nothing in it that could be mended.
+                self.lexer.mistakes.clear();
                 let message = "this is no JSON: the file starts with something else than `{`";
                 let help = "a graph or a scene is one JSON object: start with `{ \"phenomenon\": \"name\" … }`";
                 self.tell_at(place, message, help);
