@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use clap::Args;
 use phenomenon_compiler::check::{Checked, check_graph};
+use phenomenon_compiler::document::all_mistakes;
 use phenomenon_compiler::engine::{Engine, Options, Shader};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::{Literal, NodeLibrary};

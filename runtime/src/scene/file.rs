@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use phenomenon_compiler::diagnostics::{Code, Finding, Place};
-use phenomenon_compiler::document::{Document, Object, Reader, Value, ValueKind, read, read_file};
+use phenomenon_compiler::document::{
+    Document, Object, Reader, Value, ValueKind, all_mistakes, read, read_file,
+};
 use phenomenon_compiler::schema::{COORDINATES, OPTIONS, SCENE, Section};
 
 use super::assets::Assets;

@@ -7,6 +7,7 @@ mod description;
 mod embedded;
 mod file;
 mod fit;
+mod foreign;
 mod meshes;
 mod objects;
 mod surroundings;

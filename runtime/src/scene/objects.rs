@@ -15,6 +15,7 @@ use super::description::{
     GraphUse, MaterialRef, MaterialSource, ObjectDescription, Override, ShapeDescription,
 };
 use super::file::{section, vector};
+use super::foreign;
 use super::meshes::Meshes;
 use crate::geometry::{Mesh, Normals, Transform};
 
@@ -53,6 +54,9 @@ fn object<'d>(
     meshes: &mut Meshes,
     uses: &mut Vec<GraphUse>,
 ) -> Option<ObjectDescription> {
+    if foreign::shape(reader, value) {
+        return None;
+    }
     let object = section(reader, value, &OBJECT)?;
     let name = object.optional("name").map(|name| reader.string(name, "`name`"));
     if let Some(value) = object.optional("doc") {
@@ -96,6 +100,10 @@ fn shape<'d>(
         .into_iter()
         .filter_map(|key| object.optional(key).map(|value| (key, value)))
         .collect();
+    if given.is_empty() && foreign::has_other_keys(object.value, &OBJECT.names()) {
+        // The key it is given by was told to be none.
+        return None;
+    }
     let [(kind, value)] = given[..] else {
         let message = "an object has exactly one shape: `sphere`, `mesh` or `rectangle`";
         reader.report(Code::UNUSABLE_OBJECT, object.value, message, "give one of the three keys");
@@ -167,6 +175,9 @@ fn transform<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Transform>
 
 /// `{"subject": true}`, or `{"file": "graph.json", "set": {…}}`.
 fn material<'d>(reader: &mut Reader<'d>, value: &'d Value, folder: &Path) -> Option<MaterialRef> {
+    if foreign::material(reader, value) {
+        return None;
+    }
     let object = section(reader, value, &MATERIAL)?;
     let subject = object.optional("subject").map(|value| reader.boolean(value, "`subject`"));
     if let (None, Some(file)) = (subject, object.optional("file")) {

@@ -14,6 +14,7 @@ use phenomenon_compiler::schema::{
 use super::assets::{Assets, Unusable};
 use super::description::{EnvironmentDescription, GraphUse};
 use super::file::{section, vector};
+use super::foreign;
 use super::objects::{file_path, graph_file};
 use crate::camera::Camera;
 use crate::lights::{Environment, EnvironmentImage, Light, LightKind};
@@ -64,6 +65,9 @@ pub(super) fn lights<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Ve
 }
 
 fn light<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Light> {
+    if foreign::light(reader, value) {
+        return None;
+    }
     let object = section(reader, value, &LIGHT_SOURCE)?;
     let name = object.required(reader, "name").and_then(|name| reader.string(name, "`name`"));
     let color = match object.optional("color") {
@@ -91,6 +95,8 @@ fn light<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Light> {
             direction
                 .map(|direction| LightKind::Directional { direction: direction.map(|x| x as f32) })
         }
+        // The key it is given by was told to be none.
+        (None, None) if foreign::has_other_keys(value, &LIGHT_SOURCE.names()) => None,
         _ => {
             let message = "a light is either `point` or `directional`";
             reader.report(Code::UNUSABLE_OBJECT, value, message, "give one of the two keys");
@@ -113,6 +119,9 @@ pub(super) fn environment<'d>(
     let kinds = ["color", "gradient", "image", "file"];
     let given: Vec<&str> =
         kinds.into_iter().filter(|kind| object.optional(kind).is_some()).collect();
+    if given.is_empty() && foreign::has_other_keys(value, &ENVIRONMENT.names()) {
+        return None;
+    }
     let [kind] = given[..] else {
         let message = match given.as_slice() {
             [] => "the environment is a color, a gradient, an image or a graph".to_owned(),
