@@ -160,6 +160,45 @@ fn fix_puts_sure_suggestions_in() {
     run(&["check", "--fix", "-"], Some(WRONG), 2);
 }
 
+/// A fix is told, may be looked at first, and never makes a name into another that means something else.
+#[test]
+fn fixes_are_told_and_change_no_meaning() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.json");
+    let name = path.to_str().unwrap();
+    let graph = |node: &str| {
+        format!(
+            "{{ \"phenomenon\": \"a\",\n  \"nodes\": {{ \"here\": {{ \"type\": \"state\" }},\n    \"m\": {node} }},\n  \"roots\": {{ \"material\": {{ \"node\": \"m\" }} }} }}\n"
+        )
+    };
+    for kept in [
+        r#"{ "type": "add", "inputs": { "a": { "node": "here", "output": "point.y" } } }"#,
+        r#"{ "type": "scalar", "inputs": { "input": 2 } }"#,
+        r#"{ "type": "max", "inputs": { "a": 1, "weight": 0.5 } }"#,
+        r#"{ "type": "add", "inputs": { "a": { "node": "hers", "output": "point" } } }"#,
+    ] {
+        let broken = graph(kept);
+        std::fs::write(&path, &broken).unwrap();
+        let output = phenomenon(&["check", "--fix", name], None);
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), broken, "{}", text(&output.stderr));
+        assert_eq!(output.status.code(), Some(1));
+    }
+    let broken = graph(r#"{ "type": "max", "inputs": { "a": 1, "in2": .5 } }"#);
+    let mended = graph(r#"{ "type": "maximum", "inputs": { "a": 1, "b": 0.5 } }"#);
+    std::fs::write(&path, &broken).unwrap();
+    let shown = run(&["check", "--fix", "--diff", name], None, 1);
+    assert!(shown.contains("-    \"m\": { \"type\": \"max\"") && shown.contains("\"maximum\""), "{shown}");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), broken, "shown, not written");
+    run(&["check", "--diff", name], None, 2);
+    let output = phenomenon(&["check", "--fix", name], None);
+    let told = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{told}");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), mended);
+    for line in [":3:54: .5 → 0.5", ":3:20: \"max\" → \"maximum\"", ":3:47: \"in2\" → \"b\""] {
+        assert!(told.contains(line), "{line} in\n{told}");
+    }
+}
+
 #[test]
 fn explain_tells_every_code() {
     let list = run(&["explain"], None, 0);
@@ -254,8 +293,12 @@ fn scenes_are_checked_with_their_graphs() {
     std::fs::write(&path, &broken).unwrap();
     assert_eq!(codes(1), ["unknown-parameter"], "the default light may not have been meant");
     run(&["check", "--fix", name], None, 1);
-    let mended = std::fs::read_to_string(&path).unwrap();
-    assert_eq!(mended, broken.replace("lmaps", "lamps"), "an object is no name to replace");
+    let kept = std::fs::read_to_string(&path).unwrap();
+    assert_eq!(kept, broken, "`lamps` would show that there is no light `kye`");
+    let broken = scene(r#", "set": { "lmaps": ["key"] }"#);
+    std::fs::write(&path, &broken).unwrap();
+    run(&["check", "--fix", name], None, 0);
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), broken.replace("lmaps", "lamps"));
     let broken = scene(r#", "set": { "lamps": ["key", "kye"] }"#);
     std::fs::write(&path, &broken).unwrap();
     assert_eq!(codes(1), ["unknown-light"]);
