@@ -194,7 +194,7 @@ fn fixes_are_told_and_change_no_meaning() {
     let told = text(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{told}");
     assert_eq!(std::fs::read_to_string(&path).unwrap(), mended);
-    for line in [":3:54: .5 → 0.5", ":3:20: \"max\" → \"maximum\"", ":3:47: \"in2\" → \"b\""] {
+    for line in [":3:54: .5 → 0.5", ":3:20: \"max\" → \"maximum\"", ":3:51: \"in2\" → \"b\""] {
         assert!(told.contains(line), "{line} in\n{told}");
     }
 }

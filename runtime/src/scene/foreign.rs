@@ -18,7 +18,7 @@ const LIGHTS: [(&[&str], &str); 4] = [
             "mesh",
             "softbox",
         ],
-        "lights have no size: give several `point` lights, or an object whose material yields light",
+        "lights have no size: give several `point` lights",
     ),
     (
         &["spot", "spotlight", "cone", "photometric", "ies", "projector", "goniometric"],

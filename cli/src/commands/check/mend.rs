@@ -276,7 +276,7 @@ mod tests {
         assert_eq!(after.text, expected);
         let told: Vec<String> = after.fixes.iter().map(ToString::to_string).collect();
         assert_eq!(told.len(), 3);
-        assert_eq!(told[0], "a.json:2:56: \"mxi\" → \"mix\"");
+        assert_eq!(told[0], "a.json:2:58: \"mxi\" → \"mix\"");
     }
 
     #[test]
