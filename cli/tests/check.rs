@@ -187,14 +187,18 @@ fn fixes_are_told_and_change_no_meaning() {
     let mended = graph(r#"{ "type": "maximum", "inputs": { "a": 1, "b": 0.5 } }"#);
     std::fs::write(&path, &broken).unwrap();
     let shown = run(&["check", "--fix", "--diff", name], None, 1);
-    assert!(shown.contains("-    \"m\": { \"type\": \"max\"") && shown.contains("\"maximum\""), "{shown}");
+    assert!(
+        shown.contains("-    \"m\": { \"type\": \"max\"") && shown.contains("\"maximum\""),
+        "{shown}"
+    );
     assert_eq!(std::fs::read_to_string(&path).unwrap(), broken, "shown, not written");
     run(&["check", "--diff", name], None, 2);
     let output = phenomenon(&["check", "--fix", name], None);
     let told = text(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{told}");
     assert_eq!(std::fs::read_to_string(&path).unwrap(), mended);
-    for line in [":3:54: .5 → 0.5", ":3:20: \"max\" → \"maximum\"", ":3:51: \"in2\" → \"b\""] {
+    for line in [":3:54: .5 → 0.5", ":3:20: \"max\" → \"maximum\"", ":3:51: \"in2\" → \"b\""]
+    {
         assert!(told.contains(line), "{line} in\n{told}");
     }
 }

@@ -4,9 +4,9 @@
 //! report them, and numbers as written.
 
 mod canonical;
+mod format;
 mod mistakes;
 mod open;
-mod format;
 mod places;
 mod prescan;
 mod read;
@@ -21,9 +21,9 @@ use crate::diagnostics::SourceFile;
 pub use crate::diagnostics::listed;
 pub(crate) use crate::diagnostics::shortened;
 pub use canonical::canonical;
+pub use format::FORMAT;
 pub(crate) use open::irregular;
 pub use open::{open_file, opened_files};
-pub use format::FORMAT;
 pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES};
 pub use read::{all_mistakes, read, read_file, read_from};
 pub(crate) use reader::shown;

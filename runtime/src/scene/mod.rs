@@ -20,5 +20,7 @@ pub use description::{
     Override, SceneDescription, SceneOptions, ShapeDescription,
 };
 pub use embedded::{default_scene, embedded_file};
-pub use file::{LightNames, SceneFile, check_scene, check_scene_with, is_scene, read_scene, read_scene_file};
+pub use file::{
+    LightNames, SceneFile, check_scene, check_scene_with, is_scene, read_scene, read_scene_file,
+};
 pub use fit::{misfits, settings, unknown_lights};
