@@ -93,7 +93,7 @@ fn format(arguments: &Arguments, input: &Input, document: &Document) -> Result<b
         return Err(Failure::new(problem, "split the file, or leave it as it is"));
     }
     if arguments.diff {
-        terminal::print(&difference::unified(&name.to_string(), old, &new))?;
+        terminal::print_exactly(&difference::unified(&name.to_string(), old, &new))?;
     } else if arguments.check {
         if new != *old {
             terminal::print(&format!("{name}\n"))?;

@@ -115,6 +115,10 @@ fn standard_input_is_formatted_to_standard_output() {
 fn a_difference_is_shown_and_nothing_written() {
     let folder = nested();
     let here = folder.path("");
+    // For programs a difference is exact, whatever a terminal would make of it.
+    let deceiving = "{ \"phenomenon\": \"a\u{202e}\" }";
+    let run = run_in(&here, &["fmt", "--diff", "-"], deceiving);
+    assert!(run.output.contains(&format!("-{deceiving}")), "{run:?}");
     let run = run_in(&here, &["fmt", "--diff", "outer.json"], "");
     assert_eq!(run.code, Some(1), "{run:?}");
     assert!(run.output.starts_with("--- outer.json\n+++ outer.json\n@@ -1,"), "{run:?}");
