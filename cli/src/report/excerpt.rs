@@ -81,7 +81,8 @@ impl Excerpt {
         // miette puts the number, a rule and three spaces before a line, and arrows of places that span several.
         let before = last.to_string().len() + 4 + if gutter > 0 { gutter + 3 } else { 0 };
         // Where no width is known, lines are kept as long as they can be read.
-        let room = if look.wraps { look.width.saturating_sub(before).max(12) } else { LONGEST_LINE };
+        let room =
+            if look.wraps { look.width.saturating_sub(before).max(12) } else { LONGEST_LINE };
         let mut excerpt = Self {
             name: terminal::shown(&file.name, look).into_owned(),
             text: String::new(),

@@ -66,3 +66,28 @@ fn an_unknown_name_gets_a_suggestion() {
     refused(&["nodes", "zzzzzzzz"], &["`phenomenon nodes`"]);
     refused(&["nodes", ""], &["no node or group ``"]);
 }
+
+#[test]
+fn nodes_are_found_by_words_and_by_what_others_call_them() {
+    let first = |words: &[&str]| {
+        let listing = printed(&[&["nodes", "--search"], words].concat());
+        listing.split_whitespace().next().unwrap().to_owned()
+    };
+    for (words, node) in [
+        (&["mix"][..], "mix"),
+        (&["lerp"], "mix"),
+        (&["max"], "maximum"),
+        (&["pow"], "power"),
+        (&["trace", "reflection"], "trace_reflection"),
+        (&["trace reflection"], "trace_reflection"),
+    ] {
+        assert_eq!(first(words), node, "{words:?}");
+    }
+    let found: Value =
+        serde_json::from_str(&printed(&["nodes", "--search", "lerp", "--format", "json"])).unwrap();
+    assert_eq!((&found["version"], &found["nodes"][0]["name"]), (&1.into(), &"mix".into()));
+    assert!(printed(&["nodes", "--search", "weight"]).contains("(input `weight`)"));
+    refused(&["nodes", "--search", "zzzzzz"], &["zzzzzz", "`phenomenon nodes`"]);
+    refused(&["nodes", "mix", "--search", "lerp"], &["--search"]);
+    refused(&["nodes", "--search"], &["--search"]);
+}

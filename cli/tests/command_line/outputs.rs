@@ -189,7 +189,7 @@ fn a_file_that_does_not_fit_leaves_the_old_one() {
     let doc = "long ".repeat(1_000);
     let misspelt = format!(
         r#"{{ "phenomenon": "a", "version": 1, "doc": "{doc}",
-             "nodes": {{ "n": {{ "type": "lambrt" }} }}, "roots": {{ "material": {{ "node": "n" }} }} }}"#
+             "nodes": {{ "n": {{ "type": "mxi" }} }}, "roots": {{ "material": {{ "node": "n" }} }} }}"#
     );
     folder.file("misspelt.json", misspelt);
     folder.file("a.exr", "old");

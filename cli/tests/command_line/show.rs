@@ -40,7 +40,7 @@ fn what_cannot_be_drawn_or_written_is_refused() {
     refused(&["show", graph, "-o", &folder.path("none/a.svg")], &["there is no folder"]);
     refused(&["show", "graphs/none.json", "-o", &svg], &["graphs/none.json"]);
     let broken = folder.file("broken.json", "{");
-    refused(&["show", &broken, "-o", &svg], &["never closed"]);
+    refused(&["show", &broken, "-o", &svg], &["add the missing `}`"]);
     let mut nodes = r#""n0": { "type": "add" }"#.to_owned();
     for at in 1..5_500 {
         let before = at - 1;

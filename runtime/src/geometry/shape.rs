@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Mesh, ShadowTerminator};
 use super::primitive::{Primitive, RawHit, double, single};
+use super::{Mesh, ShadowTerminator};
 
 /// What an instance is made of.
 #[derive(Clone, Debug)]

@@ -42,7 +42,7 @@ pub struct Arguments {
     #[arg(long)]
     fix: bool,
     /// With --fix, show what would change, and write nothing.
-    #[arg(long, requires = "fix")]
+    #[arg(long, requires = "fix", conflicts_with = "format")]
     diff: bool,
 }
 
@@ -129,7 +129,7 @@ fn fix(
     let mut check = |text: &str| check_read(document::read(&name, text.as_bytes()), input, library);
     let Some(mended) = mend::mend(&name, &checked, &mut check) else { return Ok(checked) };
     if diff {
-        terminal::print(&difference::unified(&name, &mended.before, &mended.text))?;
+        terminal::print_exactly(&difference::unified(&name, &mended.before, &mended.text))?;
         return Ok(checked);
     }
     if inputs::is_stream(&input.path) {

@@ -33,6 +33,7 @@ pub fn found(hits: &[Hit<'_>]) -> String {
         let place = match place {
             Place::Input(name) => format!(" (input `{name}`)"),
             Place::Output(name) => format!(" (output `{name}`)"),
+            Place::Synonym => " (by another name)".into(),
             Place::Name | Place::PartOfName | Place::Doc => String::new(),
         };
         let doc = first_sentence(&node.doc);

@@ -1,5 +1,6 @@
-//! Nodes by a word.
+//! Nodes by a word, which may be one of other programs.
 
+use phenomenon_compiler::diagnostics::synonyms::{self, Synonym};
 use phenomenon_compiler::document::nearest;
 use phenomenon_compiler::nodes::{NodeLibrary, Signature};
 
@@ -18,6 +19,8 @@ pub struct Hit<'l> {
 pub enum Place<'l> {
     /// It is the name.
     Name,
+    /// It is what others call the node.
+    Synonym,
     /// It is a part of the name, or the group.
     PartOfName,
     /// It is the name of an input.
@@ -28,42 +31,74 @@ pub enum Place<'l> {
     Doc,
 }
 
-/// The nodes that have all the words, the best first.
+/// The nodes that have all the words, or that others call so, the best first.
 ///
 /// # Errors
 /// There is none.
 pub fn find<'l>(library: &'l NodeLibrary, words: &[String]) -> Result<Vec<Hit<'l>>, Failure> {
-    let words: Vec<String> = words
-        .iter()
-        .flat_map(|words| words.split_whitespace())
-        .map(|word| word.to_lowercase())
-        .collect();
-    let mut hits: Vec<Hit<'l>> = library
-        .iter()
-        .filter_map(|(_, definition)| {
-            let node = &definition.signature;
-            let places: Option<Vec<_>> = words.iter().map(|word| place(node, word)).collect();
-            // All words must be there; the worst tells how well they fit.
-            places?.into_iter().max().map(|place| Hit { node, place })
-        })
-        .collect();
+    let query = Query::new(words);
+    let nodes = library.iter().map(|(_, definition)| &definition.signature);
+    let mut hits: Vec<Hit<'l>> =
+        nodes.filter_map(|node| query.place(node).map(|place| Hit { node, place })).collect();
     hits.sort_by_key(|hit| hit.place);
     if hits.is_empty() {
-        let words = words.join(" ");
-        let names = library.iter().map(|(_, definition)| definition.signature.name);
-        let help = match nearest(&words, names) {
-            Some(near) => near.help(),
-            None => "`phenomenon nodes` lists all there are".into(),
-        };
-        return Err(Failure::new(format!("--search {words}: no node has this"), help));
+        return Err(query.without_hits(library));
     }
     Ok(hits)
 }
 
-fn place<'l>(node: &'l Signature, word: &str) -> Option<Place<'l>> {
+/// What is looked for.
+struct Query {
+    /// All of it, in lower case.
+    text: String,
+    /// What others mean by all of it.
+    meant: Option<Synonym>,
+    /// Its words, each with what others mean by it.
+    words: Vec<(String, Option<Synonym>)>,
+}
+
+impl Query {
+    fn new(words: &[String]) -> Self {
+        let text = words.join(" ").to_lowercase();
+        let words = text.split_whitespace();
+        let words = words.map(|word| (word.to_owned(), synonyms::node(word))).collect();
+        Self { meant: synonyms::node(&text), words, text }
+    }
+
+    fn place<'l>(&self, node: &'l Signature) -> Option<Place<'l>> {
+        if node.name != self.text && means(&self.meant, node) {
+            return Some(Place::Synonym);
+        }
+        // All words must be there; the worst tells how well they fit.
+        let places: Option<Vec<_>> =
+            self.words.iter().map(|(word, meant)| place(node, word, meant)).collect();
+        places?.into_iter().max()
+    }
+
+    fn without_hits(&self, library: &NodeLibrary) -> Failure {
+        let advice = std::iter::once(&self.meant).chain(self.words.iter().map(|(_, it)| it));
+        let advice = advice.flatten().map(|it| it.advice).find(|advice| !advice.is_empty());
+        let names = library.iter().map(|(_, definition)| definition.signature.name);
+        let help = match (advice, nearest(&self.text, names)) {
+            (Some(advice), _) => advice.to_owned(),
+            (None, Some(near)) => near.help(),
+            (None, None) => "`phenomenon nodes` lists all there are".into(),
+        };
+        Failure::new(format!("--search {}: no node has this", self.text), help)
+    }
+}
+
+fn means(synonym: &Option<Synonym>, node: &Signature) -> bool {
+    synonym.as_ref().is_some_and(|synonym| synonym.ours.contains(&node.name))
+}
+
+fn place<'l>(node: &'l Signature, word: &str, meant: &Option<Synonym>) -> Option<Place<'l>> {
     let has = |text: &str| text.to_lowercase().contains(word);
     if node.name == word {
         return Some(Place::Name);
+    }
+    if means(meant, node) {
+        return Some(Place::Synonym);
     }
     if has(node.name) || has(node.group) {
         return Some(Place::PartOfName);
@@ -97,6 +132,11 @@ mod tests {
         assert!(names("weight").contains(&"mix"), "an input");
         assert!(names("mix weight").contains(&"mix") && !names("mix zzz").contains(&"mix"));
         assert!(names("zzzzzz").is_empty());
+        for (theirs, ours) in
+            [("lerp", "mix"), ("pow", "power"), ("Max", "maximum"), ("lerp weight", "mix")]
+        {
+            assert_eq!(names(theirs).first(), Some(&ours), "{theirs}");
+        }
     }
 
     #[test]
