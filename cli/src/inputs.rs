@@ -8,10 +8,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use phenomenon_compiler::check::{Files, OnDisk};
 use phenomenon_compiler::diagnostics::{Code, Finding, Place, SourceFile};
-use phenomenon_compiler::document::{Document, ValueKind, listed, read_file, read_from};
+use phenomenon_compiler::document::{Document, listed, read_file, read_from};
 use phenomenon_runtime::outputs::is_descriptor;
 
 use crate::failure::Failure;
+use crate::ours::Ours;
 
 /// Whether a path stands for standard input.
 pub fn is_standard_input(path: &Path) -> bool {
@@ -143,13 +144,12 @@ fn leads_to_file(link: &Path) -> bool {
     }
 }
 
-/// A graph or a scene has one of these keys.
+/// A graph or a scene says one of these words.
 const OUR_KEYS: [&str; 3] = ["phenomenon", "scene", "roots"];
 
 /// Whether a file met in a folder is a graph or a scene.
 pub fn is_ours(document: &Document) -> bool {
-    matches!(document.root.kind, ValueKind::Object(_))
-        && OUR_KEYS.iter().any(|key| document.root.get(key).is_some())
+    Ours::of(document).is_some()
 }
 
 /// Whether a file met in a folder that is no JSON was not meant for us: it does not say the words

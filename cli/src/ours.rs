@@ -45,7 +45,7 @@ impl Ours {
     fn by_keys(keys: &[(&str, char)]) -> Option<Self> {
         let has = |key: &str| keys.iter().any(|(known, _)| *known == key);
         let starts = |key: &str, with: char| keys.contains(&(key, with));
-        if has("phenomenon") || starts("roots", '{') && (has("nodes") || has("interface")) {
+        if has("phenomenon") || starts("roots", '{') {
             return Some(Self::Graph);
         }
         let is_scene = has("scene") && (starts("scene", '"') || has("camera") && has("objects"));
@@ -114,6 +114,7 @@ mod tests {
             r#"{ "phenomenon": "a" }"#,
             r#"{ "phenomenon": 5, "scene": "b" }"#,
             r#"{ "nodes": {}, "roots": { "material": 1 } }"#,
+            r#"{ "roots": {} }"#,
             r#"{ "$schema": "x", "doc": "{[", "phenomenon": "a", "nodes": { "n": { "ty"#,
             r#"{ "phenomenon"#,
         ] {

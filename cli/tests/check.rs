@@ -313,3 +313,18 @@ fn scenes_are_checked_with_their_graphs() {
     run(&["check", "--fix", name], None, 1);
     assert_eq!(std::fs::read_to_string(&graph).unwrap(), lamps, "another scene may have the light");
 }
+
+/// Other tools have keys `scene` and `roots` too.
+#[test]
+fn folders_may_hold_files_of_other_tools() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write("ours.json", FINE);
+    write("package.json", r#"{ "name": "phenomenon", "dependencies": { "scene": "1" } }"#);
+    write("model.json", r#"{ "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [{}] }"#);
+    write("jest.config.json", r#"{ "roots": ["<rootDir>/src"] }"#);
+    let path = folder.path().display().to_string();
+    assert_eq!(run(&["check", &path], None, 0), "");
+    write("nameless.json", r#"{ "nodes": {}, "roots": { "material": 1 } }"#);
+    assert!(run(&["check", &path], None, 1).contains("not-a-graph"));
+}

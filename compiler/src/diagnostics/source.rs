@@ -56,8 +56,8 @@ impl SourceFile {
         let end = self.text.len();
         let start = starts.get(number.wrapping_sub(1)).copied().unwrap_or(end);
         // Before the start of the next line stands its line break.
-        let end = starts.get(number).map_or(end, |next| next - 1);
-        start..start + self.text[start..end.max(start)].trim_end_matches('\r').len()
+        let end = starts.get(number).map_or(end, |next| next.saturating_sub(1)).max(start);
+        start..start + self.text[start..end].trim_end_matches('\r').len()
     }
 
     fn index(&self) -> &Index {
