@@ -1,27 +1,39 @@
-//! The pictures that scenes name, and what is remembered of them by whoever checks the same scenes time and again.
+//! The pictures and meshes that scenes name, and what is remembered of them by whoever checks the same scenes time and
+//! again.
 
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
+use std::hash::Hash;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use phenomenon_compiler::diagnostics::Code;
 
+use super::meshes;
 use crate::film::{self, Film, FilmError};
+use crate::geometry::Normals;
 
 /// Most files of which something is remembered; past them all is forgotten.
 const REMEMBERED_FILES: usize = 4096;
 
-/// Where the pictures of scenes come from. By default they are read whenever a scene names them.
+/// Where the pictures and meshes of scenes come from. By default they are read whenever a scene names them.
 #[derive(Debug, Default)]
 pub struct Assets {
-    /// What is known of pictures; none where nothing is remembered.
-    known: Option<RefCell<HashMap<PathBuf, (Stamp, Outcome)>>>,
+    /// None where nothing is remembered.
+    known: Option<Known>,
     reads: Cell<usize>,
 }
 
-/// Whether a picture can be used, and if not, why.
-type Outcome = Result<(), Unusable>;
+/// What is remembered of files, by their one paths.
+#[derive(Debug, Default)]
+struct Known {
+    /// Whether a picture can be used, and if not, why.
+    pictures: Remembered<PathBuf, Result<(), Unusable>>,
+    /// The box round a mesh, or why it cannot be used.
+    meshes: Remembered<(PathBuf, Normals), Result<meshes::Known, meshes::Refusal>>,
+}
+
+type Remembered<K, T> = RefCell<HashMap<K, (Stamp, T)>>;
 
 /// Why a file that a scene names cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,9 +60,9 @@ impl Stamp {
 
 impl Assets {
     /// Remembers of each file whether it can be used, as long as its size and time stay the same, but not what is in
-    /// it: a scene read with it is for its findings only, for its pictures are black.
+    /// it: a scene read with it is for its findings only, for its pictures are black and its meshes are boxes.
     pub fn remembered() -> Self {
-        Self { known: Some(RefCell::default()), reads: Cell::default() }
+        Self { known: Some(Known::default()), reads: Cell::default() }
     }
 
     /// How many files were read.
@@ -61,7 +73,9 @@ impl Assets {
     /// Forgets what is remembered of a file.
     pub fn forget(&self, path: &Path) {
         if let Some(known) = &self.known {
-            known.borrow_mut().remove(&reached(path));
+            let path = reached(path);
+            known.pictures.borrow_mut().remove(&path);
+            known.meshes.borrow_mut().retain(|(known, _), _| *known != path);
         }
     }
 
@@ -72,26 +86,50 @@ impl Assets {
 
     /// A picture; a black one of one pixel where only its outcome is remembered.
     pub(super) fn picture(&self, path: &Path) -> Result<Film, Unusable> {
-        let stamp = Stamp::of(path);
-        let (Some(known), Some(stamp)) = (&self.known, stamp) else { return self.read(path) };
-        let name = reached(path);
-        let found = known.borrow().get(&name).cloned();
-        if let Some((_, outcome)) = found.filter(|(before, _)| *before == stamp) {
-            return outcome.and_then(|()| black());
-        }
-        let outcome = self.read(path).map(drop);
-        let mut known = known.borrow_mut();
-        if known.len() >= REMEMBERED_FILES {
-            known.clear();
-        }
-        known.insert(name, (stamp, outcome.clone()));
+        let read = || {
+            self.reads.set(self.reads.get() + 1);
+            film::read(path).map_err(|error| Unusable::from(&error))
+        };
+        let (Some(known), Some(stamp)) = (&self.known, Stamp::of(path)) else { return read() };
+        let outcome = remembered(&known.pictures, reached(path), stamp, || read().map(drop));
         outcome.and_then(|()| black())
     }
 
-    fn read(&self, path: &Path) -> Result<Film, Unusable> {
-        self.reads.set(self.reads.get() + 1);
-        film::read(path).map_err(|error| Unusable::from(&error))
+    /// A mesh; the box round it where only its outcome is remembered.
+    pub(super) fn mesh(
+        &self,
+        path: &Path,
+        normals: Normals,
+    ) -> Result<meshes::Known, meshes::Refusal> {
+        let read = || {
+            self.reads.set(self.reads.get() + 1);
+            meshes::read(path, normals)
+        };
+        let (Some(known), Some(stamp)) = (&self.known, Stamp::of(path)) else { return read() };
+        let boxed = || read().map(meshes::Known::boxed);
+        remembered(&known.meshes, (reached(path), normals), stamp, boxed)
     }
+}
+
+/// What is remembered under a key since the file has that stamp, or what is read now.
+fn remembered<K: Eq + Hash, T: Clone>(
+    known: &Remembered<K, T>,
+    key: K,
+    stamp: Stamp,
+    read: impl FnOnce() -> T,
+) -> T {
+    if let Some((before, outcome)) = known.borrow().get(&key)
+        && *before == stamp
+    {
+        return outcome.clone();
+    }
+    let outcome = read();
+    let mut known = known.borrow_mut();
+    if known.len() >= REMEMBERED_FILES {
+        known.clear();
+    }
+    known.insert(key, (stamp, outcome.clone()));
+    outcome
 }
 
 /// The one path of a file, however it is named.

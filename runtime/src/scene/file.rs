@@ -106,7 +106,7 @@ fn scene(
         object.required(reader, "camera").and_then(|value| surroundings::camera(reader, value));
     let objects = object
         .required(reader, "objects")
-        .and_then(|value| objects::objects(reader, value, folder, &mut file.uses));
+        .and_then(|value| objects::objects(reader, value, folder, assets, &mut file.uses));
     let lights = match object.optional("lights") {
         Some(value) => surroundings::lights(reader, value),
         None => Some(Vec::new()),

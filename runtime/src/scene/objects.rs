@@ -11,6 +11,7 @@ use phenomenon_compiler::schema::{
     COORDINATES, LENGTHS, MATERIAL, OBJECT, RECTANGLE, SPHERE, TRANSFORM,
 };
 
+use super::assets::Assets;
 use super::description::{
     GraphUse, MaterialRef, MaterialSource, ObjectDescription, Override, ShapeDescription,
 };
@@ -23,10 +24,11 @@ pub(super) fn objects<'d>(
     reader: &mut Reader<'d>,
     value: &'d Value,
     folder: &Path,
+    assets: &Assets,
     uses: &mut Vec<GraphUse>,
 ) -> Option<Vec<ObjectDescription>> {
     let elements = reader.list(value, "`objects`")?;
-    let mut meshes = Meshes::default();
+    let mut meshes = Meshes::of(assets);
     // Every object is read, so that every mistake is found.
     let objects: Vec<_> =
         elements.iter().map(|value| object(reader, value, folder, &mut meshes, uses)).collect();
@@ -51,7 +53,7 @@ fn object<'d>(
     reader: &mut Reader<'d>,
     value: &'d Value,
     folder: &Path,
-    meshes: &mut Meshes,
+    meshes: &mut Meshes<'_>,
     uses: &mut Vec<GraphUse>,
 ) -> Option<ObjectDescription> {
     if foreign::shape(reader, value) {
@@ -86,7 +88,7 @@ fn shape<'d>(
     reader: &mut Reader<'d>,
     object: &Object<'d>,
     folder: &Path,
-    meshes: &mut Meshes,
+    meshes: &mut Meshes<'_>,
 ) -> Option<(&'static str, ShapeDescription)> {
     let flat = [("smooth", Normals::Smooth), ("flat", Normals::Flat)];
     let normals = match object.optional("normals") {

@@ -124,13 +124,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_keystroke_decodes_no_picture() {
+    fn a_keystroke_reads_no_picture_and_no_mesh() {
         let folder = tempfile::tempdir().unwrap();
         let (scene, sky) = (folder.path().join("s.json"), folder.path().join("sky.hdr"));
         film::write(&Film::new(64, 32).unwrap(), &sky, 1.0).unwrap();
+        std::fs::write(folder.path().join("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+            .unwrap();
         let text = |doc: &str| {
             format!(
-                "{{ \"scene\": \"s\", \"doc\": \"{doc}\", \"camera\": {{ \"position\": [0, 0, 5], \"look_at\": [0, 0, 0] }}, \"objects\": [], \"environment\": {{ \"image\": \"sky.hdr\" }} }}"
+                "{{ \"scene\": \"s\", \"doc\": \"{doc}\", \"camera\": {{ \"position\": [0, 0, 5], \"look_at\": [0, 0, 0] }}, \"objects\": [{{ \"mesh\": \"a.obj\", \"material\": {{ \"subject\": true }}, \"transform\": {{ \"scale\": 2 }} }}], \"environment\": {{ \"image\": \"sky.hdr\" }} }}"
             )
         };
         let library = NodeLibrary::standard();
@@ -139,11 +141,11 @@ mod tests {
             let findings = files.change(&uri, &text(doc), &library);
             assert!(findings[0].1.is_empty(), "{findings:?}");
         }
-        assert_eq!(files.assets.reads(), 1);
+        assert_eq!(files.assets.reads(), 2);
         std::fs::write(&sky, "no picture").unwrap();
         let findings = files.changed_on_disk(&[&uri_of(&sky)], &library);
         assert_eq!(findings[0].1[0]["code"], "unusable-file");
         files.change(&uri, &text("a sky that is broken"), &library);
-        assert_eq!(files.assets.reads(), 2);
+        assert_eq!(files.assets.reads(), 3);
     }
 }
