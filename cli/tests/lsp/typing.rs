@@ -22,6 +22,9 @@ fn findings_live_while_one_types() {
     assert!(found[0]["message"].as_str().unwrap().contains("did you mean `min`?"));
     let found = editor.change(&GRAPH[..GRAPH.len() - 3]);
     assert_eq!(found[0]["code"], "syntax");
+    // All mistakes of a file that is no JSON are told.
+    let found = editor.change(&GRAPH.replace("\"doc\": \"the", "doc: \"the").replace("0.5", ".5"));
+    assert!(found.len() >= 2 && found.iter().all(|it| it["code"] == "syntax"), "{found:?}");
     assert!(editor.change(GRAPH).is_empty());
     editor.tell("textDocument/didClose", json!({ "textDocument": { "uri": URI } }));
     assert!(editor.findings().is_empty());

@@ -62,7 +62,9 @@ impl OpenFile {
                 };
                 (Some(document), findings.findings)
             }
-            Err(finding) => (before.and_then(|before| before.document), vec![*finding]),
+            Err(finding) => {
+                (before.and_then(|before| before.document), document::all_mistakes(*finding))
+            }
         };
         let mut used = files.used();
         if let Some(document) = &document {
