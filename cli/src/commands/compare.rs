@@ -67,8 +67,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let output = arguments.output.as_deref().map(|path| Output { flag: "-o", path });
     output.map_or(Ok(()), Output::require_writable)?;
     let read = |path| {
-        film::read(path)
-            .map_err(|error| Failure::new(error, "give a .png, .jpg, .exr or .hdr picture"))
+        film::read(path).map_err(|error| {
+            let help = error.help();
+            Failure::new(error, help)
+        })
     };
     let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
     outputs::require_apart(output.as_slice())?;

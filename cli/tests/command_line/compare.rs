@@ -61,7 +61,8 @@ fn what_cannot_be_compared_is_refused() {
     let broken = folder.file("broken.exr", b"no picture");
     refused(&["compare", &a, &wide], &["3 x 2", "4 x 2"]);
     refused(&["compare", &a, &broken], &["broken.exr"]);
-    refused(&["compare", &a, "/nowhere/b.exr"], &["/nowhere/b.exr"]);
+    refused(&["compare", &a, "/nowhere/b.exr"], &["/nowhere/b.exr", "check its name"]);
+    refused(&["compare", &a, "b.bmp"], &["b.bmp", "give a .png, .jpg, .exr or .hdr picture"]);
     refused(&["compare", &a, &a, "-o", "/nowhere/d.png"], &["-o /nowhere/d.png", "no folder"]);
     let folder_path = folder.path("taken.png");
     std::fs::create_dir(&folder_path).unwrap();
@@ -171,7 +172,7 @@ fn pictures_of_different_formats_are_compared() {
 fn large_pictures_and_little_memory_are_refused_with_a_message() {
     let folder = Folder::new();
     let bomb = folder.file("bomb.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 65000 +X 65000\n");
-    refused(&["compare", &bomb, &bomb], &["65000 x 65000", "bomb.hdr"]);
+    refused(&["compare", &bomb, &bomb], &["65000 x 65000", "bomb.hdr", "scale it down"]);
     let scene = r#"{"scene":"s","camera":{"position":[0,0,5],"look_at":[0,0,0]},"objects":[],
         "environment":{"image":"bomb.hdr"}}"#;
     let scene = folder.file("s.json", scene);

@@ -59,6 +59,24 @@ pub enum FilmError {
     },
 }
 
+impl FilmError {
+    /// What to do about it.
+    pub fn help(&self) -> &'static str {
+        match self {
+            FilmError::UnknownFormat { .. } => "end the name in .png, .exr or .hdr",
+            FilmError::NoPicture { .. } => "give a .png, .jpg, .exr or .hdr picture",
+            FilmError::Unwritable(error) => error.cause.help(),
+            FilmError::Unreadable { .. } => "check its name and its permissions",
+            FilmError::TooManyBytes { .. } => "give a smaller picture",
+            FilmError::Malformed { .. } => "write it again, or give another picture",
+            FilmError::Size { source: SizeError::Limit { .. }, .. } => "scale it down",
+            FilmError::Size { source: SizeError::Memory { .. }, .. } => {
+                "scale it down, or let the program have more memory"
+            }
+        }
+    }
+}
+
 /// Why bytes are no usable picture.
 #[derive(Debug)]
 pub(super) enum Fault {

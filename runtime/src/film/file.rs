@@ -10,7 +10,7 @@ use super::buffer::{Film, SizeError};
 use super::bytes::Bytes;
 use super::encoding::srgb_decoded;
 use super::fault::{Fault, FilmError};
-use super::header::{Format, open, parsed, read_from};
+use super::header::{Format, open, parsed, read_from, require_jpeg_end};
 use super::{open_exr, radiance, raster};
 use crate::outputs;
 
@@ -86,6 +86,10 @@ fn decode(
         Format::Png | Format::Jpeg => {
             let header = read_from(format, &mut file)?;
             file.rewind()?;
+            if format == Format::Jpeg {
+                require_jpeg_end(&mut file)?;
+                file.rewind()?;
+            }
             return raster::read(&header, space != Some(Space::Linear), file);
         }
         Format::Exr => {

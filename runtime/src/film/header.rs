@@ -242,6 +242,23 @@ fn jpeg(read: &mut impl Read) -> Result<PictureHeader, Fault> {
     }
 }
 
+/// Looks for the end of a JPEG behind the start of its pixels, where no pixel looks like it: its decoder
+/// would fill up what is missing of a file that was cut.
+pub(super) fn require_jpeg_end(read: &mut impl Read) -> Result<(), Fault> {
+    loop {
+        match jpeg_marker(read)? {
+            0x01 | 0xd0..=0xd8 => {}
+            0xd9 | 0xda => break,
+            _ => {
+                let length = u64::from(u16::from_be_bytes(array(read)?));
+                skip(read, length.saturating_sub(2))?;
+            }
+        }
+    }
+    while jpeg_marker(read)? != 0xd9 {}
+    Ok(())
+}
+
 /// The next marker: 0xff, as often as the writer likes, and what is neither 0xff nor 0.
 fn jpeg_marker(read: &mut impl Read) -> Result<u8, Fault> {
     let mut after_ff = false;
