@@ -144,6 +144,16 @@ fn nesting_is_bounded() {
 fn encodings_other_than_utf8_are_named() {
     let found = only(b"\xff\xfe{\0}\0", Code::NOT_UTF8);
     assert!(found.findings[0].message.contains("UTF-16"));
+    let utf16 = |text: &str, little: bool| -> Vec<u8> {
+        let bytes = |unit: u16| if little { unit.to_le_bytes() } else { unit.to_be_bytes() };
+        text.encode_utf16().flat_map(bytes).collect()
+    };
+    for (text, little) in [("\u{feff}{ }", false), ("{ \"é\": 1 }", true), ("{ \"é\": 1 }", false)]
+    {
+        let found = only(utf16(text, little), Code::NOT_UTF8);
+        assert!(found.findings[0].message.contains("UTF-16"), "{text}");
+        assert!(found.findings[0].place.file.text.starts_with('{'), "it can be read");
+    }
     let found = only(b"{ \"a\": \"\xc3\x28\" }", Code::NOT_UTF8);
     assert_eq!(found.findings[0].place.line_column(), (1, 9));
     only(b"\xed\xa0\x80", Code::NOT_UTF8);

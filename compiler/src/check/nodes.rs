@@ -248,14 +248,13 @@ fn unknown_input(
     reader: &mut Reader<'_>,
     draft: &Draft<'_>,
     node: usize,
-    signature: &Signature,
+    (signature, given): (&Signature, &[bool]),
     member: &Member,
 ) {
     let names = || signature.inputs.iter().map(|input| input.name);
     let near = draft.suggestions.nearest(&member.key, names());
     // What is given already is not meant once more.
-    let inputs = draft.nodes[node].member.value.get("inputs");
-    let is_given = |name: &str| inputs.is_some_and(|inputs| inputs.get(name).is_some());
+    let is_given = |name: &str| signature.input(name).is_some_and(|at| given[at]);
     let is_free = |name: &str| signature.input(name).is_some() && !is_given(name);
     let (help, fix) = match synonyms::input(&member.key, is_free) {
         // Whose `in1` is whose `fg`: the order of a mix is what others differ in.
@@ -289,6 +288,8 @@ fn read_inputs<'d>(
     let signature = draft.nodes[node].node_type.map(|it| draft.library.signature(it));
     let mut has_parts = false;
     let mut inputs = Vec::new();
+    // Which inputs are given at all, once it matters.
+    let mut given: Option<Vec<bool>> = None;
     for member in members {
         let input = signature.and_then(|signature| signature.input(&member.key));
         let what = || {
@@ -318,7 +319,14 @@ fn read_inputs<'d>(
         if let Some(signature) = signature
             && input.is_none()
         {
-            unknown_input(reader, draft, node, signature, member);
+            let given = given.get_or_insert_with(|| {
+                let mut given = vec![false; signature.inputs.len()];
+                for at in value.members().iter().filter_map(|it| signature.input(&it.key)) {
+                    given[at] = true;
+                }
+                given
+            });
+            unknown_input(reader, draft, node, (signature, given), member);
         }
         let source = sources::read(reader, &member.value, draft);
         inputs.push(DraftInput { member, input, source });

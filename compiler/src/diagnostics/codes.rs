@@ -83,7 +83,7 @@ codes! {
         wrong r#"… "doc": "caf<E9>" …   in Latin-1, where é is the byte E9"#,
         right r#"… "doc": "caf<C3><A9>" …   in UTF-8, where é is the bytes C3 A9"#;
     SYNTAX "syntax" Error "A file that is not JSON",
-        "The file breaks the rules of JSON (RFC 8259), so nothing else can be said about it. There are no comments, no trailing commas and no single quotes.",
+        "The file breaks the rules of JSON (RFC 8259), so nothing else can be said about it. All its mistakes are told in one run; where brackets do not come out even, indentation says which. There are no comments, no trailing commas and no single quotes.",
         wrong r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0], } }"#,
         right r#"{ "phenomenon": "a", "roots": { "material": [1, 0, 0] } }"#;
     TOO_DEEP "too-deep" Error "Nesting past the limit",

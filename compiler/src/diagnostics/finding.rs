@@ -1,8 +1,9 @@
 //! A finding.
 
+use std::borrow::Cow;
 use std::fmt;
 
-use super::{Code, Place};
+use super::{Code, Place, escaped};
 
 /// How bad a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -54,7 +55,8 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// A finding of a code, with that code's severity.
+    /// A finding of a code, with that code's severity. What could command a terminal, or hide or
+    /// reorder what is read, is escaped in its texts, whoever's names are quoted there.
     pub fn new(
         code: Code,
         place: Place,
@@ -64,8 +66,8 @@ impl Finding {
         Self {
             code,
             severity: code.severity(),
-            message: message.into(),
-            help: help.into(),
+            message: safe(message.into()),
+            help: safe(help.into()),
             place,
             related: Vec::new(),
             fix: None,
@@ -75,7 +77,7 @@ impl Finding {
     /// The same with another place that explains it.
     #[must_use]
     pub fn with_related(mut self, place: Place, message: impl Into<String>) -> Self {
-        self.related.push(Related { place, message: message.into() });
+        self.related.push(Related { place, message: safe(message.into()) });
         self
     }
 
@@ -87,15 +89,45 @@ impl Finding {
     }
 }
 
+/// A text of one line in which nothing deceives.
+fn safe(text: String) -> String {
+    match escaped(&text) {
+        Cow::Borrowed(_) => text,
+        Cow::Owned(safe) => safe,
+    }
+}
+
 impl fmt::Display for Finding {
     /// One line, `file:line:column: severity[code]: message`, then the help.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (line, column) = self.place.line_column();
         let Self { code, severity, message, help, place, .. } = self;
-        write!(f, "{}:{line}:{column}: {severity}[{code}]: {message}", place.file.name)?;
+        let file = escaped(&place.file.name);
+        write!(f, "{file}:{line}:{column}: {severity}[{code}]: {message}")?;
         if !help.is_empty() {
             write!(f, "\n  help: {help}")?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostics::SourceFile;
+
+    #[test]
+    fn no_text_of_a_finding_deceives() {
+        let file = std::sync::Arc::new(SourceFile::new("a\u{1b}[2J.json", "x"));
+        let place = Place { file, start: 0, end: 1, path: String::new() };
+        let name = "gnp.\u{202e}exe\u{7}";
+        let finding = Finding::new(Code::SYNTAX, place.clone(), format!("no {name}"), name)
+            .with_related(place, name)
+            .with_fix(name);
+        assert_eq!(finding.message, "no gnp.\\u{202e}exe\\u{7}");
+        assert_eq!(finding.related[0].message, finding.help);
+        assert_eq!(finding.fix.as_deref(), Some(name), "what is put in stays what it is");
+        let told = finding.to_string();
+        assert!(told.starts_with("a\\u{1b}[2J.json:1:1: error[syntax]: no gnp."), "{told}");
     }
 }

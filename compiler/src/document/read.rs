@@ -38,6 +38,9 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Box<Finding>> {
     if bytes.len() > MAX_FILE_BYTES {
         return Err(too_large(name, bytes.len() as u64));
     }
+    if let Some(finding) = utf16(name, bytes) {
+        return Err(finding);
+    }
     let text = match std::str::from_utf8(bytes) {
         Ok(text) => text,
         Err(error) => return Err(not_utf8(name, bytes, error.valid_up_to())),
@@ -157,9 +160,30 @@ fn not_utf8(name: &str, bytes: &[u8], at: usize) -> Box<Finding> {
     let file = Arc::new(SourceFile::new(name, String::from_utf8_lossy(bytes)));
     let end = at + char::REPLACEMENT_CHARACTER.len_utf8();
     let place = Place { file, start: at, end, path: String::new() };
-    let message = match bytes {
-        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "the file is UTF-16, not UTF-8".into(),
-        _ => format!("the byte 0x{:02x} is not valid UTF-8 here", bytes[at]),
-    };
+    let message = format!("the byte 0x{:02x} is not valid UTF-8 here", bytes[at]);
     Box::new(Finding::new(Code::NOT_UTF8, place, message, "save the file as UTF-8"))
+}
+
+/// The finding for a file in UTF-16, by its mark or by the zeros between its ASCII characters; none for
+/// any other file. Its excerpt is the text.
+fn utf16(name: &str, bytes: &[u8]) -> Option<Box<Finding>> {
+    let ascii = |byte: u8| byte != 0 && byte < 0x80;
+    let (marked, little) = match *bytes.get(..4)? {
+        [0xff, 0xfe, ..] => (true, true),
+        [0xfe, 0xff, ..] => (true, false),
+        [a, 0, b, 0] if ascii(a) && ascii(b) => (false, true),
+        [0, a, 0, b] if ascii(a) && ascii(b) => (false, false),
+        _ => return None,
+    };
+    let units = bytes[if marked { 2 } else { 0 }..].chunks_exact(2).map(|unit| {
+        let unit = [unit[0], unit[1]];
+        if little { u16::from_le_bytes(unit) } else { u16::from_be_bytes(unit) }
+    });
+    let text: String =
+        char::decode_utf16(units).map(|unit| unit.unwrap_or(char::REPLACEMENT_CHARACTER)).collect();
+    let end = text.chars().next().map_or(0, char::len_utf8);
+    let file = Arc::new(SourceFile::new(name, text));
+    let place = Place { file, start: 0, end, path: String::new() };
+    let message = "the file is UTF-16, not UTF-8";
+    Some(Box::new(Finding::new(Code::NOT_UTF8, place, message, "save the file as UTF-8")))
 }

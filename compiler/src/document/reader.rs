@@ -115,12 +115,14 @@ impl<'d> Reader<'d> {
 
     /// An object, or a finding; each member not in `keys` is a finding, with the nearest key.
     pub fn object(&mut self, value: &'d Value, what: &str, keys: &[&str]) -> Option<Object<'d>> {
+        let mut free: Option<Vec<&str>> = None;
         for member in self.members(value, what)? {
             if !keys.contains(&member.key.as_str()) {
                 // What is there already is not meant once more.
-                let free: Vec<&str> =
-                    keys.iter().copied().filter(|key| value.get(key).is_none()).collect();
-                self.unknown_key_among(member, what, keys, &free);
+                let is_free = |key: &&str| value.get(key).is_none();
+                let free =
+                    free.get_or_insert_with(|| keys.iter().copied().filter(is_free).collect());
+                self.unknown_key_among(member, what, keys, free);
             }
         }
         Some(Object { value, what: what.to_owned() })

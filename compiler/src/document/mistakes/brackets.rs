@@ -6,7 +6,7 @@ use super::Mistake;
 use super::tokens::{Kind, Lexer, Token};
 
 /// Deepest nesting that is followed.
-const DEEPEST: usize = 4096;
+const DEEPEST: usize = 128;
 
 /// Most brackets too many that are looked for beside as many that are missing.
 const MOST_PAIRS: usize = 4;
@@ -287,8 +287,10 @@ impl<'t> Matching<'t> {
     }
 
     fn close(&mut self, close: u8, token: Token) {
-        let matching = self.stack.iter().rposition(|frame| matches(frame.open, close));
-        let above = matching.map_or(0, |at| self.stack.len() - 1 - at);
+        // Further out than brackets are missing nothing can be closed.
+        let reach = self.stack.iter().rev().take(self.missing + 1);
+        let above = reach.map(|frame| frame.open).position(|open| matches(open, close));
+        let above = above.unwrap_or(0);
         match self.stack.last() {
             Some(top) if matches(top.open, close) => self.pop(token),
             // Nothing is open any more.
