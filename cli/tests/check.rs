@@ -297,12 +297,8 @@ fn scenes_are_checked_with_their_graphs() {
     std::fs::write(&path, &broken).unwrap();
     assert_eq!(codes(1), ["unknown-parameter"], "the default light may not have been meant");
     run(&["check", "--fix", name], None, 1);
-    let kept = std::fs::read_to_string(&path).unwrap();
-    assert_eq!(kept, broken, "`lamps` would show that there is no light `kye`");
-    let broken = scene(r#", "set": { "lmaps": ["key"] }"#);
-    std::fs::write(&path, &broken).unwrap();
-    run(&["check", "--fix", name], None, 0);
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), broken.replace("lmaps", "lamps"));
+    let mended = std::fs::read_to_string(&path).unwrap();
+    assert_eq!(mended, broken.replace("lmaps", "lamps"), "an object is no name to replace");
     let broken = scene(r#", "set": { "lamps": ["key", "kye"] }"#);
     std::fs::write(&path, &broken).unwrap();
     assert_eq!(codes(1), ["unknown-light"]);

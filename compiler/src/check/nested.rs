@@ -263,6 +263,10 @@ impl<'n> Nest<'n> {
         if !self.findings.is_full() {
             let uses = self.stack.iter().rev().filter_map(|(.., using)| using.as_ref());
             for Use { place, node } in uses {
+                // A circle of files shows its uses itself.
+                if finding.related.iter().any(|related| related.place == *place) {
+                    continue;
+                }
                 let message = format!("node `{}` uses the file here", shortened(node));
                 finding = finding.with_related(place.clone(), message);
             }

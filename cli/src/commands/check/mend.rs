@@ -11,6 +11,18 @@ const MOST_CHECKS: usize = 128;
 /// Most fixes that may follow from one: a mended type shows what is wrong with its inputs.
 const LONGEST_CHAIN: usize = 4;
 
+/// Errors that say where something stands or what its surroundings lack, not that it is another thing:
+/// they were there before, unseen.
+const SAYS_WHERE: [Code; 7] = [
+    Code::OUTSIDE_LIGHT_LOOP,
+    Code::MISPLACED_EFFECT,
+    Code::UNKNOWN_LIGHT,
+    Code::CONFLICTING_REQUIREMENTS,
+    Code::UNREADABLE_FILE,
+    Code::UNUSABLE_FILE,
+    Code::UNUSABLE_OBJECT,
+];
+
 /// What was put in somewhere.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
@@ -144,6 +156,7 @@ impl Mender<'_> {
             let is_new = |finding: &&Finding| {
                 // What is wrong in a file that was no JSON could not be seen before.
                 finding.severity == Severity::Error
+                    && !SAYS_WHERE.contains(&finding.code)
                     && (was_json || finding.code == Code::SYNTAX)
                     && match left.get_mut(&told(finding)) {
                         Some(count) if *count > 0 => {

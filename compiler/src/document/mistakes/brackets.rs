@@ -386,7 +386,7 @@ impl<'t> Matching<'t> {
                 Mistake::new(open, message, help)
             } else {
                 let what = self.name(innermost);
-                let message = format!("the file ends within {what}");
+                let message = format!("the file ends, and {what} is never closed");
                 let help = format!("add the missing `{closers}`");
                 let mut mistake = Mistake::new((end, end), message, help);
                 for frame in self.stack.iter().rev().take(3) {
