@@ -76,7 +76,8 @@ pub fn compare(first: &Film, second: &Film) -> Result<Comparison, CompareError> 
             raw.add(difference(a[k], b[k]));
         }
         alpha.add(difference(a[3], b[3]));
-        let unlike = |k: &usize| !same(a[*k], b[*k]) && !(a[*k].is_finite() && b[*k].is_finite());
+        let finite = |k: usize| a[k].is_finite() && b[k].is_finite();
+        let unlike = |k: &usize| !(same(a[*k], b[*k]) || finite(*k));
         if let Some(channel) = (0..4).find(unlike) {
             not_finite += 1;
             let width = first.width() as usize;

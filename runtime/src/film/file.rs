@@ -93,12 +93,12 @@ fn decode(
             return raster::read(&header, space != Some(Space::Linear), file);
         }
         Format::Exr => {
-            let header = parsed(format, &mut file, |read| open_exr::read_header(read))?;
+            let header = parsed(format, &mut file, open_exr::read_header)?;
             file.rewind()?;
             open_exr::read(&header, file)?
         }
         Format::Hdr => {
-            let header = parsed(format, &mut file, |read| radiance::read_header(read))?;
+            let header = parsed(format, &mut file, radiance::read_header)?;
             radiance::read(&header, &mut file)?
         }
     };

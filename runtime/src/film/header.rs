@@ -138,10 +138,10 @@ pub(super) fn open(path: &Path) -> Result<(Format, File), FilmError> {
 /// Reads a header from the start of a file.
 pub(super) fn read_from(format: Format, read: impl Read) -> Result<PictureHeader, Fault> {
     let header = match format {
-        Format::Png => parsed(format, read, |read| png(read)),
-        Format::Jpeg => parsed(format, read, |read| jpeg(read)),
-        Format::Exr => Ok(parsed(format, read, |read| open_exr::read_header(read))?.summary()),
-        Format::Hdr => Ok(parsed(format, read, |read| radiance::read_header(read))?.summary()),
+        Format::Png => parsed(format, read, png),
+        Format::Jpeg => parsed(format, read, jpeg),
+        Format::Exr => Ok(parsed(format, read, open_exr::read_header)?.summary()),
+        Format::Hdr => Ok(parsed(format, read, radiance::read_header)?.summary()),
     }?;
     pixel_count(header.width, header.height)?;
     Ok(header)

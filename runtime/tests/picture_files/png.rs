@@ -39,7 +39,8 @@ fn every_kind_of_pixel_is_read() {
 #[test]
 fn palettes_and_transparent_colors_are_read() {
     let palette = (b"PLTE", vec![255, 0, 0, 0, 255, 0]);
-    let film = picture("a.png", &png([2, 1], [1, 3], &[palette.clone()], &[0, 0b0100_0000]));
+    let film =
+        picture("a.png", &png([2, 1], [1, 3], std::slice::from_ref(&palette), &[0, 0b0100_0000]));
     assert_eq!(film.pixel(0, 0), [1.0, 0.0, 0.0, 1.0]);
     assert_eq!(film.pixel(1, 0), [0.0, 1.0, 0.0, 1.0]);
     let clear = (b"tRNS", vec![51]);

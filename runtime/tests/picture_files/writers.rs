@@ -27,7 +27,7 @@ fn require_near(written: [f32; 4], found: [f32; 4]) {
     let step = f64::from(largest.max(found[0]).max(found[1]).max(found[2])) / 128.0;
     for k in 0..3 {
         let error = (f64::from(value(k)) - f64::from(found[k])).abs();
-        let dark = largest < 2.938_735_9e-39 && found[k] == 0.0;
+        let dark = largest < 2.0_f32.powi(-128) && found[k] == 0.0;
         assert!(dark || error <= step / 2.0, "{written:?} became {found:?}");
     }
     assert_eq!(found[3], 1.0);

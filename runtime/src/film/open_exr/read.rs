@@ -35,8 +35,7 @@ pub(in crate::film) fn read(header: &Header, file: impl Read + Seek) -> Result<F
         .map_err(fault)?;
     let expected = chunks.expected_chunk_count();
     let mut found = HashSet::new();
-    let mut blocks = chunks.sequential_decompressor(false);
-    while let Some(block) = blocks.next() {
+    for block in chunks.sequential_decompressor(false) {
         let block: UncompressedBlock = block.map_err(fault)?;
         let index = block.index;
         if index.layer != header.part || index.level.0 != 0 || index.level.1 != 0 {
