@@ -1,10 +1,12 @@
 //! Graph files, parameters and engines, as every command that shades needs them.
 
+use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
 use clap::Args;
-use phenomenon_compiler::check::{Checked, check_graph};
+use phenomenon_compiler::check::{Checked, bind_text, check_graph};
+use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::all_mistakes;
 use phenomenon_compiler::engine::{Engine, Options, Shader};
 use phenomenon_compiler::graph::Graph;
@@ -43,25 +45,50 @@ impl EngineArguments {
     }
 }
 
+/// What is told of findings that are no errors.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Told<'a> {
+    /// `--allow`: codes of which nothing is said.
+    pub allow: &'a [Code],
+}
+
+impl Told<'_> {
+    /// Writes findings to standard error, but for what is allowed.
+    pub fn tell(self, findings: &[Finding], omitted: usize) {
+        let told = findings.iter().filter(|finding| {
+            finding.severity == Severity::Error || !self.allow.contains(&finding.code)
+        });
+        report::tell(&told.cloned().collect::<Vec<_>>(), omitted);
+    }
+
+    /// Reads and checks a graph, from standard input for `-`; what was found goes to standard error.
+    ///
+    /// # Errors
+    /// The file cannot be read, or has errors.
+    pub fn read(self, path: &Path, library: &NodeLibrary) -> Result<Graph, Failure> {
+        let checked = match inputs::read(path) {
+            Ok(document) => check_graph(&document, library),
+            Err(finding) => Checked { findings: all_mistakes(*finding), ..Checked::default() },
+        };
+        self.checked(path, checked)
+    }
+
+    /// The graph that was checked; what was found goes to standard error.
+    ///
+    /// # Errors
+    /// There were errors.
+    pub fn checked(self, path: &Path, checked: Checked) -> Result<Graph, Failure> {
+        self.tell(&checked.findings, checked.omitted);
+        checked.graph.ok_or_else(|| unusable(path))
+    }
+}
+
 /// Reads and checks a graph, from standard input for `-`; what was found goes to standard error.
 ///
 /// # Errors
 /// The file cannot be read, or has errors.
 pub fn read(path: &Path, library: &NodeLibrary) -> Result<Graph, Failure> {
-    let checked = match inputs::read(path) {
-        Ok(document) => check_graph(&document, library),
-        Err(finding) => Checked { findings: all_mistakes(*finding), ..Checked::default() },
-    };
-    self::checked(path, checked)
-}
-
-/// The graph that was checked; what was found goes to standard error.
-///
-/// # Errors
-/// There were errors.
-pub fn checked(path: &Path, checked: Checked) -> Result<Graph, Failure> {
-    report::tell(&checked.findings, checked.omitted);
-    checked.graph.ok_or_else(|| unusable(path))
+    Told::default().read(path, library)
 }
 
 /// The failure after findings that were shown.
@@ -72,21 +99,29 @@ pub fn unusable(path: &Path) -> Failure {
     )
 }
 
-/// Binds `--set` to the parameters of a graph.
+/// Binds `--set` to the parameters of a graph; `object` stands before their names on the command
+/// line: `floor:`, or nothing.
 ///
 /// # Errors
 /// There is no such parameter, it is set twice, or the value does not suit it.
-pub fn bind(graph: &Graph, settings: &[Assignment]) -> Result<Vec<(String, Literal)>, Failure> {
+pub fn bind(
+    graph: &Graph,
+    object: &str,
+    settings: &[Assignment],
+) -> Result<Vec<(String, Literal)>, Failure> {
     let mut values: Vec<(String, Literal)> = Vec::with_capacity(settings.len());
+    let mut known = HashSet::new();
     for Assignment { name, value } in settings {
-        if values.iter().any(|(known, _)| known == name) {
-            let message = format!("--set {name}={value}: `{name}` is set twice");
-            return Err(Failure::new(message, "leave one of them out"));
+        let flag = || format!("--set {object}{name}={value}");
+        let given = bind_text(graph, name, value)
+            .map_err(|error| Failure::new(format!("{}: {error}", flag()), ""))?;
+        for (part, literal) in given {
+            if !known.insert(part.clone()) {
+                let message = format!("{}: `{part}` is set twice", flag());
+                return Err(Failure::new(message, "leave one of them out"));
+            }
+            values.push((part, literal));
         }
-        let literal = graph
-            .bind(name, value)
-            .map_err(|error| Failure::new(format!("--set {name}={value}: {error}"), ""))?;
-        values.push((name.clone(), literal));
     }
     Ok(values)
 }

@@ -45,7 +45,7 @@ fn exit_codes_are_those_documented() {
     run(&["check", "-", "--deny", "warnings"], Some(WARNED), 1);
     run(&["check", "-", "--deny", "warnings", "--allow", "unused-parameter"], Some(WARNED), 0);
     run(&["check", "-"], Some(WRONG), 1);
-    run(&["check", "-", "--allow", "unknown-root"], Some(WRONG), 1);
+    run(&["check", "-", "--allow", "unknown-root"], Some(WRONG), 2);
     run(&["check", "no/such/file.json"], None, 2);
     run(&["check"], None, 2);
     run(&["check", "-", "--allow", "no-such-code"], Some(FINE), 2);
@@ -293,13 +293,13 @@ fn scenes_are_checked_with_their_graphs() {
   "objects": [{{ "sphere": {{ "radius": 1 }}, "material": {{ "file": "lamps.json"{set} }} }}] }}"#
         )
     };
-    let broken = scene(r#", "set": { "lmaps": ["key", { "light": "kye" }] }"#);
+    let broken = scene(r#", "set": { "lmaps": [{ "light": "key" }, { "light": "kye" }] }"#);
     std::fs::write(&path, &broken).unwrap();
     assert_eq!(codes(1), ["unknown-parameter"], "the default light may not have been meant");
     run(&["check", "--fix", name], None, 1);
     let mended = std::fs::read_to_string(&path).unwrap();
-    assert_eq!(mended, broken.replace("lmaps", "lamps"), "an object is no name to replace");
-    let broken = scene(r#", "set": { "lamps": ["key", "kye"] }"#);
+    assert_eq!(mended, broken.replace("lmaps", "lamps"), "the light is no matter of the name");
+    let broken = scene(r#", "set": { "lamps": [{ "light": "key" }, { "light": "kye" }] }"#);
     std::fs::write(&path, &broken).unwrap();
     assert_eq!(codes(1), ["unknown-light"]);
     run(&["check", "--fix", name], None, 0);

@@ -123,7 +123,7 @@ fn codes_at(file: &SceneFile, path: &str) -> Vec<Code> {
 fn content(file: &SceneFile) -> String {
     let Some(scene) = &file.scene else { panic!("{:#?}", file.findings) };
     let material = |material: &MaterialRef| {
-        let set: Vec<_> = material.set.iter().map(|set| (&set.name, &set.text)).collect();
+        let set: Vec<_> = material.set.iter().map(|set| (&set.name, set.place.text())).collect();
         format!("{:?} {set:?}", material.source)
     };
     let objects: Vec<_> = scene

@@ -5,15 +5,16 @@
 pub struct Assignment {
     /// Left of the first `=`.
     pub name: String,
-    /// Right of it.
+    /// Right of it, as it stands: spaces may belong to a string.
     pub value: String,
 }
 
 /// Reads `NAME=VALUE`.
 pub fn assignment(text: &str) -> Result<Assignment, String> {
     match text.split_once('=') {
-        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
-            Ok(Assignment { name: name.trim().into(), value: value.trim().into() })
+        // Names have no spaces, so those round one mean nothing.
+        Some((name, value)) if !name.trim().is_empty() => {
+            Ok(Assignment { name: name.trim().into(), value: value.into() })
         }
         _ => Err("write NAME=VALUE; a vector or colour is x,y,z".into()),
     }
@@ -28,7 +29,9 @@ mod tests {
         let read = |text| assignment(text).map(|a| (a.name, a.value));
         assert_eq!(read("tint=1,0,0"), Ok(("tint".into(), "1,0,0".into())));
         assert_eq!(read("a=b=c"), Ok(("a".into(), "b=c".into())));
-        for text in ["", "=", "tint", "tint=", "=1", " = "] {
+        assert_eq!(read(" fin = a "), Ok(("fin".into(), " a ".into())));
+        assert_eq!(read("fin="), Ok(("fin".into(), String::new())), "a string may be empty");
+        for text in ["", "=", "tint", "=1", " = "] {
             assert!(read(text).is_err(), "{text}");
         }
     }

@@ -1,17 +1,21 @@
 //! Values of flags, each refused with a message that says what would do.
 
+mod allowance;
 mod assignment;
 mod choices;
 mod node_path;
 mod numbers;
 mod output;
+mod region;
 mod size;
 mod synonyms;
 
+pub use allowance::allowable;
 pub use assignment::{Assignment, assignment};
 pub use choices::{EngineChoice, Format, Precision, SimdChoice};
 pub use node_path::{NodePath, node_path};
-pub use numbers::{batch, exposure, samples, seed, threads, tolerance};
+pub use numbers::{batch, exposure, runs, samples, seed, threads, tolerance};
 pub use output::picture;
+pub use region::region;
 pub use size::{Size, size};
 pub use synonyms::explained;

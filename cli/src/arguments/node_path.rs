@@ -18,7 +18,20 @@ pub fn node_path(text: &str) -> Result<NodePath, String> {
     Ok(NodePath(text.into()))
 }
 
+impl std::fmt::Display for NodePath {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
 impl NodePath {
+    /// The object, and the node within its material, of `OBJECT:NODE[.OUTPUT]`; none without a colon.
+    /// No node has one in its name; an object may.
+    pub fn within_object(&self) -> Option<(String, NodePath)> {
+        let (object, node) = self.0.rsplit_once(':')?;
+        Some((object.to_owned(), NodePath(node.to_owned())))
+    }
+
     /// Positions of the node and of the output, where one is named.
     ///
     /// # Errors

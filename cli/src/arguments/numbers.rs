@@ -1,14 +1,33 @@
-//! Numbers in flags.
+//! Numbers in flags, written as in files: `1e3` and `2.0` are whole, `.5`, `+1` and `0x10` are no
+//! numbers. As in files, space round a number means nothing.
 
 use std::ops::RangeInclusive;
 
+use phenomenon_compiler::document::numbers::{self, Whole};
 use phenomenon_runtime::render::SAMPLE_LIMIT;
 
-fn count(text: &str, range: RangeInclusive<u32>, what: &str) -> Result<u32, String> {
-    text.parse()
-        .ok()
-        .filter(|count| range.contains(count))
-        .ok_or_else(|| format!("give {what} from {} to {}", range.start(), range.end()))
+/// A whole number in a range; `what` stands in the message: "a number of threads".
+pub(super) fn count<T>(text: &str, range: RangeInclusive<T>, what: &str) -> Result<T, String>
+where
+    T: Copy + Into<i128> + TryFrom<i128>,
+{
+    let (low, high): (i128, i128) = ((*range.start()).into(), (*range.end()).into());
+    let wanted = || format!("give {what} from {low} to {high}");
+    match numbers::whole(text.trim()) {
+        Whole::Number(number) if (low..=high).contains(&number) => {
+            T::try_from(number).map_err(|_| wanted())
+        }
+        Whole::Number(_) | Whole::Fraction => Err(wanted()),
+        Whole::NoNumber => Err(nearly(text, wanted())),
+    }
+}
+
+/// What is wanted, and how it is written where something near was given.
+fn nearly(text: &str, wanted: String) -> String {
+    match numbers::nearest_number(text) {
+        Some(number) => format!("{wanted}; write {number}"),
+        None => wanted,
+    }
 }
 
 /// Reads `--spp`.
@@ -18,7 +37,7 @@ pub fn samples(text: &str) -> Result<u32, String> {
 
 /// Reads `--threads`.
 pub fn threads(text: &str) -> Result<usize, String> {
-    count(text, 1..=1_024, "a number of threads").map(|threads| threads as usize)
+    count(text, 1..=1_024_u32, "a number of threads").map(|threads| threads as usize)
 }
 
 /// Reads `--batch`.
@@ -26,25 +45,29 @@ pub fn batch(text: &str) -> Result<u32, String> {
     count(text, 1..=65_536, "a number of points")
 }
 
+/// Reads `--runs`.
+pub fn runs(text: &str) -> Result<u8, String> {
+    count(text, 1..=100, "a number of runs")
+}
+
 /// Reads `--seed`.
 pub fn seed(text: &str) -> Result<u64, String> {
-    text.parse().map_err(|_| format!("give a whole number from 0 to {}", u64::MAX))
+    count(text, 0..=u64::MAX, "a whole number")
 }
 
 /// Reads `--exposure`.
 pub fn exposure(text: &str) -> Result<f32, String> {
-    text.parse()
-        .ok()
-        .filter(|factor: &f32| factor.is_finite() && *factor > 0.0)
-        .ok_or_else(|| "give a finite number above 0, such as 2".into())
+    numbers::single(text.trim())
+        .filter(|factor| *factor > 0.0)
+        .ok_or_else(|| nearly(text, "give a finite number above 0, such as 2".into()))
 }
 
 /// Reads `--tolerance`.
 pub fn tolerance(text: &str) -> Result<f64, String> {
-    text.parse()
-        .ok()
-        .filter(|tolerance: &f64| tolerance.is_finite() && *tolerance >= 0.0)
-        .ok_or_else(|| "give a finite number, 0 or more; 0 asks for the same bits".into())
+    let wanted = "give a finite number, 0 or more; 0 asks for the same bits";
+    numbers::double(text.trim())
+        .filter(|tolerance| *tolerance >= 0.0)
+        .ok_or_else(|| nearly(text, wanted.into()))
 }
 
 #[cfg(test)]
@@ -54,19 +77,41 @@ mod tests {
     #[test]
     fn counts_have_both_limits() {
         assert_eq!((samples("1"), samples("1048576")), (Ok(1), Ok(SAMPLE_LIMIT)));
-        for text in ["0", "1048577", "-1", "1.5", "", "NaN", "99999999999999999999", "+ 1"] {
+        assert_eq!((samples("1e3"), samples("2.0"), threads(" 1e0 ")), (Ok(1000), Ok(2), Ok(1)));
+        for text in [
+            "0",
+            "1048577",
+            "-1",
+            "1.5",
+            "",
+            "NaN",
+            "99999999999999999999",
+            "+ 1",
+            "+1",
+            "01",
+            "1.",
+            "0x10",
+            "1 2",
+            "1e-1",
+            "1_000",
+        ] {
             assert!(samples(text).is_err(), "{text}");
         }
         assert!(threads("0").is_err());
         assert!(batch("0").is_err());
         assert_eq!(seed("18446744073709551615"), Ok(u64::MAX));
-        assert!(seed("-1").is_err());
+        assert_eq!(seed("1.8446744073709551615e19"), Ok(u64::MAX));
+        for text in ["-1", "18446744073709551616", "+1", "0.5"] {
+            assert!(seed(text).is_err(), "{text}");
+        }
+        assert!(seed("+7").unwrap_err().ends_with("write 7"));
     }
 
     #[test]
     fn an_exposure_is_finite_and_above_zero() {
         assert_eq!(exposure("0.5"), Ok(0.5));
-        for text in ["0", "-0", "-1", "NaN", "inf", "1e39", "1e-50"] {
+        assert_eq!(exposure("1.00000005960464477540"), Ok(1.000_000_1));
+        for text in ["0", "-0", "-1", "NaN", "inf", "1e39", "1e-50", ".5", "+1", "1."] {
             assert!(exposure(text).is_err(), "{text}");
         }
     }
@@ -75,7 +120,7 @@ mod tests {
     fn a_tolerance_is_finite_and_not_negative() {
         assert_eq!(tolerance("5e-3"), Ok(0.005));
         assert_eq!(tolerance("0"), Ok(0.0));
-        for text in ["NaN", "inf", "-1e-9", "", "small"] {
+        for text in ["NaN", "inf", "infinity", "-1e-9", "", "small", ".5", "+1", "1e400"] {
             assert!(tolerance(text).is_err(), "{text}");
         }
     }

@@ -2,6 +2,8 @@
 
 use phenomenon_runtime::film::{PIXEL_LIMIT, SIDE_LIMIT};
 
+use super::numbers::count;
+
 /// Width and height of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
@@ -15,10 +17,12 @@ pub struct Size {
 pub fn size(text: &str) -> Result<Size, String> {
     let remedy = format!("write width x height, each 1 to {SIDE_LIMIT}, such as 512x512");
     let (width, height) = text.split_once(['x', 'X']).ok_or_else(|| remedy.clone())?;
-    let side = |text: &str| match text.parse::<u32>() {
-        Ok(side) if (1..=SIDE_LIMIT).contains(&side) => Ok(side),
+    if text.contains(char::is_whitespace) {
+        return Err(remedy);
+    }
+    let side = |text: &str| match count(text, 0..=SIDE_LIMIT, "a side") {
         Ok(0) => Err(format!("a picture without pixels; {remedy}")),
-        _ => Err(remedy.clone()),
+        side => side.map_err(|_| remedy.clone()),
     };
     let size = Size { width: side(width)?, height: side(height)? };
     let pixels = u64::from(size.width) * u64::from(size.height);
@@ -35,6 +39,7 @@ mod tests {
     #[test]
     fn sizes_are_read() {
         assert_eq!(size("512x256"), Ok(Size { width: 512, height: 256 }));
+        assert_eq!(size("1e2x4.0"), Ok(Size { width: 100, height: 4 }));
         assert_eq!(size("1X1"), Ok(Size { width: 1, height: 1 }));
     }
 
@@ -55,6 +60,10 @@ mod tests {
             "NaNxNaN",
             "32768x32768",
             " 4x4",
+            "+4x4",
+            "04x4",
+            "4x0x4",
+            "4.5x4",
         ] {
             let error = size(text).expect_err(text);
             assert!(error.contains("512x512"), "{text}: {error}");

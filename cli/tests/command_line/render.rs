@@ -107,7 +107,7 @@ fn a_scene_brings_its_own_options() {
     for part in ["check", "compile", "render"] {
         assert!(stats["milliseconds"][part].as_f64() >= Some(0.0), "{stats}");
     }
-    refused(&["render", &scene, "--set", "color=1"], &["--set", "scene"]);
+    refused(&["render", &scene, "--set", "color=1"], &["--set color=1", "OBJECT:PARAMETER"]);
     refused(&["render", "scenes/default.json", "-o", &picture], &["default.json", "looked at"]);
 }
 

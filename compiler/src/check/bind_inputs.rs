@@ -8,6 +8,7 @@ use crate::nodes::{Default, Input, Kind, Literal, NodeType, Signature, Type};
 
 use super::MAX_NODES;
 use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
+use super::literals::Room;
 use super::types::{Types, overload};
 use super::{lists, literals, mismatch, references};
 
@@ -292,7 +293,8 @@ fn bind_source<'d>(
             return None;
         }
         SourceKind::Literal => {
-            return literals::read(reader, source.value, to, repeat, what).map(Binding::Literal);
+            let room = if repeat { Room::Generic } else { Room::Input };
+            return literals::read(reader, source.value, to, room, what).map(Binding::Literal);
         }
         SourceKind::Parameter(parameter) => Binding::Parameter(parameter),
         SourceKind::Node(node, output) => Binding::Node { node, output: output? },

@@ -92,7 +92,7 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<
     });
     let version = object
         .optional("version")
-        .and_then(|value| reader.integer(value, "`version`", 0..=i64::from(i32::MAX)));
+        .and_then(|value| reader.integer(value, "`version`", 0..=i32::MAX));
     let doc = object.optional("doc").and_then(|value| reader.string(value, "`doc`"));
     if let Some(value) = object.optional("$schema") {
         reader.string(value, "`$schema`");
@@ -133,7 +133,7 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<
     let graph = Graph {
         name: name.unwrap_or_default().to_owned(),
         doc: doc.unwrap_or_default().to_owned(),
-        version: version.unwrap_or_default() as i32,
+        version: version.unwrap_or_default(),
         requirements,
         parameters: draft
             .parameters

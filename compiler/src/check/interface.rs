@@ -10,6 +10,7 @@ use crate::graph::Parameter;
 use crate::nodes::{FINITE, Literal, Type};
 
 use super::draft::{Draft, DraftParameter};
+use super::literals::Room;
 use super::shapes::{MAX_PARTS, Shape, element_name, member_name, struct_literal, unknown_member};
 use super::{literals, nodes};
 
@@ -422,7 +423,7 @@ fn read_default<'d>(
             labels.iter().enumerate().map(|(at, label)| (label.as_str(), at as i32)).collect();
         return reader.choice(value, "`default`", &choices).map(Literal::Integer);
     }
-    let literal = literals::read(reader, value, value_type, false, &|| "`default`".into())?;
+    let literal = literals::read(reader, value, value_type, Room::Literal, &|| "`default`".into())?;
     let range = range?;
     // Compared as kept, in 32 bits: a default of 0.1 is not below a minimum of 0.1.
     let inside = |x: f32| (*range.start() as f32) <= x && x <= (*range.end() as f32);

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::diagnostics::Code;
-use crate::document::{Reader, Value, ValueKind};
+use crate::document::{Reader, Value, ValueKind, numbers};
 use crate::graph::bind::is_affine;
 use crate::nodes::{Literal, Space, Texture, Type};
 
@@ -18,13 +18,23 @@ pub(super) fn natural_type(value: &Value) -> Option<Type> {
     }
 }
 
+/// What may stand where a literal is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Room {
+    /// Nothing but a literal: a default, or what a scene sets.
+    Literal,
+    /// A connection as well.
+    Input,
+    /// A connection as well; a number stands for a vector of three of it.
+    Generic,
+}
+
 /// Reads a literal as `to`, or reports it. `what` names the place: "input `a` of node `n` (add)".
-/// With `repeat` a number stands for a vector of three of it, as in generic inputs.
 pub(super) fn read<'d>(
     reader: &mut Reader<'d>,
     value: &'d Value,
     to: Type,
-    repeat: bool,
+    room: Room,
     what: &dyn Fn() -> String,
 ) -> Option<Literal> {
     match (to, &value.kind) {
@@ -43,6 +53,7 @@ pub(super) fn read<'d>(
         }
         (_, ValueKind::Array(elements))
             if to.is_numeric()
+                && room != Room::Literal
                 && elements.iter().any(|element| matches!(element.kind, ValueKind::Object(_))) =>
         {
             let message =
@@ -54,27 +65,25 @@ pub(super) fn read<'d>(
         }
         (Type::Boolean, ValueKind::Boolean(value)) => Some(Literal::Boolean(*value)),
         (Type::Integer, ValueKind::Number(_)) => {
-            let range = i64::from(i32::MIN)..=i64::from(i32::MAX);
-            let number = reader.integer(value, &what(), range)?;
-            i32::try_from(number).ok().map(Literal::Integer)
+            reader.integer(value, &what(), i32::MIN..=i32::MAX).map(Literal::Integer)
         }
         (Type::Scalar, ValueKind::Number(_)) => number(reader, value, what).map(Literal::Scalar),
         (Type::Color, ValueKind::Number(_)) => {
             number(reader, value, what).map(|x| Literal::Color([x, x, x, 1.0]))
         }
-        (Type::Vector, ValueKind::Number(_)) if repeat => {
+        (Type::Vector, ValueKind::Number(_)) if room == Room::Generic => {
             number(reader, value, what).map(|x| Literal::Vector([x; 3]))
         }
         (Type::Color, ValueKind::Array(elements)) if matches!(elements.len(), 3 | 4) => {
             let mut color = [0.0, 0.0, 0.0, 1.0];
-            numbers(reader, elements, &mut color, what).then_some(Literal::Color(color))
+            components(reader, elements, &mut color, what).then_some(Literal::Color(color))
         }
         (Type::Vector, ValueKind::Array(elements)) if elements.len() == 3 => {
             let mut vector = [0.0; 3];
-            numbers(reader, elements, &mut vector, what).then_some(Literal::Vector(vector))
+            components(reader, elements, &mut vector, what).then_some(Literal::Vector(vector))
         }
         _ => {
-            mismatch(reader, value, to, what);
+            mismatch(reader, value, to, room, what);
             None
         }
     }
@@ -83,15 +92,14 @@ pub(super) fn read<'d>(
 fn number<'d>(reader: &mut Reader<'d>, value: &'d Value, what: &dyn Fn() -> String) -> Option<f32> {
     // The text of the place is costly for a graph of many literals, so it is made for a finding only.
     if let ValueKind::Number(text) = &value.kind
-        && let Ok(number) = text.parse::<f64>()
-        && (number as f32).is_finite()
+        && let Some(number) = numbers::single(text)
     {
-        return Some(number as f32);
+        return Some(number);
     }
     reader.finite(value, &what()).map(|number| number as f32)
 }
 
-fn numbers<'d>(
+fn components<'d>(
     reader: &mut Reader<'d>,
     elements: &'d [Value],
     into: &mut [f32],
@@ -151,7 +159,7 @@ fn transform<'d>(
     what: &dyn Fn() -> String,
 ) -> Option<Literal> {
     let mut rows = [0.0; 16];
-    if !numbers(reader, elements, &mut rows, what) {
+    if !components(reader, elements, &mut rows, what) {
         return None;
     }
     if !is_affine(&rows) {
@@ -163,7 +171,13 @@ fn transform<'d>(
     Some(Literal::Transform(rows))
 }
 
-fn mismatch(reader: &mut Reader<'_>, value: &Value, to: Type, what: &dyn Fn() -> String) {
+fn mismatch(
+    reader: &mut Reader<'_>,
+    value: &Value,
+    to: Type,
+    room: Room,
+    what: &dyn Fn() -> String,
+) {
     let (given, remedy) = if value.get("texture").is_some() {
         ("a texture".into(), Some("give it to a `texture_lookup` node, and connect that"))
     } else if value.get("light").is_some() {
@@ -172,7 +186,7 @@ fn mismatch(reader: &mut Reader<'_>, value: &Value, to: Type, what: &dyn Fn() ->
         (value.describe(), None)
     };
     let message = format!("{} takes {}, not {given}", what(), with_article(to));
-    if let Some(remedy) = remedy {
+    if let Some(remedy) = remedy.filter(|_| room != Room::Literal) {
         return reader.report(Code::TYPE_MISMATCH, value, message, remedy);
     }
     let form = match to {
@@ -185,12 +199,13 @@ fn mismatch(reader: &mut Reader<'_>, value: &Value, to: Type, what: &dyn Fn() ->
         Type::String => "write a text between double quotes",
         Type::Texture => "write `{ \"texture\": \"file.png\" }`, or `null` for none",
         Type::Light => "write `{ \"light\": \"key\" }`",
+        Type::Shader if room == Room::Literal => "write `null`: only a graph connects shaders",
         Type::Shader => "connect a node, or write `null` for none",
         Type::Lights => "write a list such as `[{ \"light\": \"key\" }]`",
         Type::Generic => "write a number, `[x, y, z]` or `[r, g, b, a]`",
     };
     let help = match &value.kind {
-        ValueKind::String(_) if to != Type::Shader => {
+        ValueKind::String(_) if to != Type::Shader && room != Room::Literal => {
             format!(
                 "{form}, or a connection: `{{ \"node\": \"name\" }}` or `{{ \"interface\": \"name\" }}`"
             )

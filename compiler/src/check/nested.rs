@@ -34,6 +34,12 @@ pub trait Files {
 
     /// Why a file that is used as it is, such as a picture, cannot be opened; none where it can.
     fn unusable(&self, path: &Path) -> Option<String>;
+
+    /// Why a file cannot be used as a picture, and the code for it; none where it can. Whoever knows
+    /// formats of pictures looks into the file as well.
+    fn unusable_picture(&self, path: &Path) -> Option<(Code, String)> {
+        self.unusable(path).map(|why| (Code::UNREADABLE_FILE, why))
+    }
 }
 
 /// Files on disk.
@@ -198,6 +204,12 @@ impl<'n> Nest<'n> {
         value: &Value,
         node: &str,
     ) -> Option<(String, Rc<Nested>)> {
+        if file.is_empty() {
+            let message = "this names no file, so there is no phenomenon to use";
+            let help = "name a graph; paths are relative to the folder of this file";
+            reader.report(Code::UNREADABLE_FILE, value, message, help);
+            return None;
+        }
         let from = Path::new(&reader.document.file.name);
         let path = from.parent().unwrap_or(Path::new("")).join(file);
         let identity = self.files.identity(&path);
@@ -296,7 +308,7 @@ impl<'n> Nest<'n> {
 /// The file a node's type names, if it names one.
 pub(super) fn file_of(value: &Value) -> Option<&str> {
     match &value.get("file")?.kind {
-        crate::document::ValueKind::String(file) if !file.is_empty() => Some(file),
+        crate::document::ValueKind::String(file) => Some(file),
         _ => None,
     }
 }

@@ -97,8 +97,8 @@ fn read_header<'d>(
             }
             "version" => {
                 version = reader
-                    .integer(&part.value, "`version`", 0..=i64::from(i32::MAX))
-                    .map(|it| (it as i32, &part.value))
+                    .integer(&part.value, "`version`", 0..=i32::MAX)
+                    .map(|it| (it, &part.value))
             }
             "inputs" | "editor" => {}
             _ => unknown.push(part),

@@ -4,7 +4,7 @@
 use std::ops::RangeInclusive;
 
 use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, Value, ValueKind, shortened, shown};
+use crate::document::{Reader, Value, ValueKind, numbers, shortened, shown};
 use crate::nodes::{FINITE, Input, Literal};
 
 use super::draft::{Draft, SourceKind};
@@ -73,7 +73,7 @@ fn literal(
     };
     let outside = elements.iter().find(|element| match &element.kind {
         ValueKind::Number(text) => {
-            text.parse::<f64>().is_ok_and(|x| (x as f32).is_finite() && !holds(&input.range, x))
+            numbers::single(text).is_some_and(|x| !holds(&input.range, x.into()))
         }
         _ => false,
     });

@@ -188,19 +188,19 @@ fn read<'d>(reader: &mut Reader<'d>, member: &'d Member, requirements: &mut Join
     }
     match member.key.as_str() {
         key @ ("texture" | "bump" | "volume_level") => {
-            if let Some(count) = reader.integer(value, &what, 0..=1000) {
+            if let Some(count) = reader.integer(value, &what, 0..=1000_u32) {
                 let of = match key {
                     "texture" => &mut requirements.rest.texture,
                     "bump" => &mut requirements.rest.bump,
                     _ => &mut requirements.rest.volume_level,
                 };
-                *of = count as u32;
+                *of = count;
             }
         }
         "derivative" => {
             for order in reader.list(value, &what).unwrap_or_default() {
-                let order = reader.integer(order, "the order of a derivative", 1..=2);
-                requirements.rest.derivative.extend(order.map(|order| order as u8));
+                let order = reader.integer(order, "the order of a derivative", 1..=2_u8);
+                requirements.rest.derivative.extend(order);
             }
         }
         "parallel" => requirements.rest.parallel = reader.boolean(value, &what),

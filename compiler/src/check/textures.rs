@@ -1,6 +1,5 @@
 //! Pictures a graph names: each must be there.
 
-use crate::diagnostics::Code;
 use crate::document::{Reader, ValueKind, shortened};
 
 use super::literals::beside;
@@ -11,10 +10,10 @@ pub(super) fn check(reader: &mut Reader<'_>, files: &dyn Files) {
     for value in std::mem::take(&mut reader.files) {
         let ValueKind::String(file) = &value.kind else { continue };
         let path = beside(&reader.document.file.name, file);
-        if let Some(why) = files.unusable(&path) {
+        if let Some((code, why)) = files.unusable_picture(&path) {
             let message = format!("the texture `{}` cannot be used: {why}", shortened(file));
             let help = "paths are relative to the folder of this file";
-            reader.report(Code::UNREADABLE_FILE, value, message, help);
+            reader.report(code, value, message, help);
         }
     }
 }

@@ -202,6 +202,10 @@ codes! {
         "The number of nodes is limited, those of nested phenomena included.",
         wrong r#"a.json: { … "nodes": { "x": { "type": { "file": "b.json" } }, "y": { "type": { "file": "b.json" } } … } … }   where b.json has 600000 nodes"#,
         right r#"a.json: { … "nodes": { "x": { "type": { "file": "b.json" } } … } … }"#;
+    TOO_MANY_EVALUATIONS "too-many-evaluations" Error "A graph whose evaluations multiply",
+        "What is shared between the inside and the outside of a scope is evaluated for each; scopes within scopes can double that again and again. A root may have 1,048,576 evaluations, copies included, and four light loops within one another, each over the light of the one outside. `check` tries every root with the values at hand.",
+        wrong r#"a.json: { … "s2": { "type": "add", "inputs": { "a": { "node": "s1" }, "b": { "node": "inside_2" } } } … }   where inside_2 perturbs the normal of s1, and so on, twenty times over"#,
+        right r#"a.json: { … "s2": { "type": "add", "inputs": { "a": { "node": "s0" }, "b": { "node": "inside_2" } } } … }"#;
     TOO_MANY_PARTS "too-many-parts" Error "An interface past the size limit",
         "Arrays and structs are taken apart: each part is a parameter of its own. An interface may have 65,536 of them in all.",
         wrong "\"default\": [0, 0, … 100,000 numbers … 0]", right "\"default\": [0, 0, … 100 numbers … 0]";

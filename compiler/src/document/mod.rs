@@ -6,6 +6,7 @@
 mod canonical;
 mod format;
 mod mistakes;
+pub mod numbers;
 mod open;
 mod places;
 mod prescan;

@@ -7,6 +7,7 @@ use std::ops::RangeInclusive;
 use crate::diagnostics::synonyms::{self, Synonym};
 use crate::diagnostics::{Code, Finding, Findings, listed, shortened};
 
+use super::numbers::{self, Whole};
 use super::{Document, Member, Value, ValueKind, advice, nearest};
 
 /// Reads values of a document and collects findings.
@@ -197,8 +198,9 @@ impl<'d> Reader<'d> {
             self.wrong_kind(value, what, "a number");
             return None;
         };
-        match text.parse::<f64>() {
-            Ok(number) if (number as f32).is_finite() => Some(number),
+        // Whoever rounds it to 32 bits gets the single nearest to the decimal: nothing is rounded twice.
+        match numbers::double(text) {
+            Some(number) if (number as f32).is_finite() => Some(number),
             _ => {
                 let message = format!("{what} is {}, too large for 32 bits", shortened(text));
                 self.report(Code::NOT_FINITE, value, message, "the largest scalar is 3.4028235e38");
@@ -218,43 +220,45 @@ impl<'d> Reader<'d> {
         if range.contains(&number) {
             return Some(number);
         }
-        self.out_of_range(value, what, &range);
+        self.out_of_range(value, what, &shown(&range));
         None
     }
 
-    /// A whole number within `range`, or a finding. `2.0` and `1e3` are whole.
-    pub fn integer(
+    /// A whole number within `range`, or a finding. `2.0` and `1e3` are whole; every digit counts.
+    pub fn integer<T: TryFrom<i128> + Into<i128> + Copy>(
         &mut self,
         value: &'d Value,
         what: &str,
-        range: RangeInclusive<i64>,
-    ) -> Option<i64> {
-        let number = self.finite(value, what)?;
-        if number.fract() != 0.0 {
-            self.wrong_kind(value, what, "a whole number");
+        range: RangeInclusive<T>,
+    ) -> Option<T> {
+        let ValueKind::Number(text) = &value.kind else {
+            self.wrong_kind(value, what, "a number");
             return None;
+        };
+        let (low, high): (i128, i128) = ((*range.start()).into(), (*range.end()).into());
+        match numbers::whole(text) {
+            Whole::Number(number) if (low..=high).contains(&number) => T::try_from(number).ok(),
+            // Told in one way, whatever the number is that is too large.
+            Whole::Number(_) if self.finite(value, what).is_none() => None,
+            Whole::Number(_) => {
+                self.out_of_range(value, what, &format!("{low} to {high}"));
+                None
+            }
+            Whole::Fraction | Whole::NoNumber => {
+                self.wrong_kind(value, what, "a whole number");
+                None
+            }
         }
-        // Exact below 2^53; past it the number is outside of any range in use.
-        let whole = number as i64;
-        if range.contains(&whole) {
-            return Some(whole);
-        }
-        self.out_of_range(value, what, &(*range.start() as f64..=*range.end() as f64));
-        None
     }
 
-    fn out_of_range(&mut self, value: &Value, what: &str, range: &RangeInclusive<f64>) {
+    fn out_of_range(&mut self, value: &Value, what: &str, range: &str) {
         let given = match &value.kind {
             ValueKind::Number(text) => shortened(text),
             _ => value.describe(),
         };
-        let message = format!("{what} is {given}, outside {}", shown(range));
-        self.report(
-            Code::NUMBER_OUT_OF_RANGE,
-            value,
-            message,
-            format!("give a number in {}", shown(range)),
-        );
+        let message = format!("{what} is {given}, outside {range}");
+        let help = format!("give a number in {range}");
+        self.report(Code::NUMBER_OUT_OF_RANGE, value, message, help);
     }
 
     /// A list of exactly `N` numbers within `range`, or a finding.

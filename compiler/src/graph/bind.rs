@@ -2,8 +2,10 @@
 
 use thiserror::Error;
 
+use super::parts::Parts;
 use super::{Graph, Parameter};
-use crate::document::{listed, nearest, shown};
+use crate::document::numbers::{self, Whole};
+use crate::document::{listed, shortened, shown};
 use crate::nodes::{Literal, Space, Texture, Type};
 
 /// Why a value cannot be bound to a parameter.
@@ -56,13 +58,13 @@ pub enum BindError {
 impl Graph {
     /// The value of parameter `name` written as `text`: `0.5`, `0.9,0.7,0.4`, `true`, a label of an
     /// enumeration, or names of lights joined by commas. A color takes one number (grey), three
-    /// (alpha 1) or four.
+    /// (alpha 1) or four. Numbers are written as in files; a string is taken as it stands.
     ///
     /// # Errors
     /// There is no such parameter, or the text is not of its type, not finite or out of range.
     pub fn bind(&self, name: &str, text: &str) -> Result<Literal, BindError> {
         let parameter = self.find_parameter(name)?;
-        let literal = parameter.parse(text.trim())?;
+        let literal = parameter.parse(text)?;
         parameter.admit(literal)
     }
 
@@ -79,43 +81,44 @@ impl Graph {
     }
 
     fn find_parameter(&self, name: &str) -> Result<&Parameter, BindError> {
-        if let Some(at) = self.parameter(name) {
-            return Ok(&self.parameters[at]);
+        match self.parameter(name) {
+            Some(at) => Ok(&self.parameters[at]),
+            None => Err(BindError::Unknown {
+                phenomenon: self.name.clone(),
+                name: shortened(name),
+                help: Parts::of(&self.parameters).remedy(name),
+            }),
         }
-        let names = || self.parameters.iter().map(|parameter| parameter.name.as_str());
-        let help = match nearest(name, names()) {
-            Some(near) => near.help(),
-            None if self.parameters.is_empty() => "it has no parameters at all".into(),
-            None => format!("its parameters are {}", listed(names())),
-        };
-        Err(BindError::Unknown { phenomenon: self.name.clone(), name: name.into(), help })
     }
 }
 
 impl Parameter {
     fn parse(&self, text: &str) -> Result<Literal, BindError> {
+        // Of numbers and words, as in files, the space round them does not count.
+        let word = text.trim();
         match self.value_type {
-            Type::Boolean => match text {
-                "true" | "1" => Ok(Literal::Boolean(true)),
-                "false" | "0" => Ok(Literal::Boolean(false)),
+            Type::Boolean => match word {
+                "true" => Ok(Literal::Boolean(true)),
+                "false" => Ok(Literal::Boolean(false)),
                 _ => Err(self.type_error(text)),
             },
             Type::Integer => {
                 if let Some(at) = self.labels.iter().position(|label| label == text) {
                     return Ok(Literal::Integer(at as i32));
                 }
-                match text.parse::<i128>() {
-                    Ok(number) => i32::try_from(number)
+                match numbers::whole(word) {
+                    Whole::Number(number) => i32::try_from(number)
                         .map(Literal::Integer)
-                        .map_err(|_| self.range_error(text)),
-                    Err(_) => Err(self.type_error(text)),
+                        .map_err(|_| self.range_error(word)),
+                    Whole::Fraction => Err(self.type_error(text)),
+                    Whole::NoNumber => Err(self.number_error(text, word)),
                 }
             }
             Type::String => Ok(Literal::String(text.to_owned())),
             Type::Light if text.is_empty() => Err(self.type_error(text)),
             Type::Light => Ok(Literal::Light(text.to_owned())),
             Type::Texture => Ok(Literal::Texture(texture(text))),
-            Type::Shader if text == "null" => Ok(Literal::NoShader),
+            Type::Shader if word == "null" => Ok(Literal::NoShader),
             Type::Shader => Err(self.type_error(text)),
             Type::Lights => {
                 let names = text.split(',').map(str::trim).filter(|name| !name.is_empty());
@@ -128,11 +131,11 @@ impl Parameter {
     }
 
     fn parse_numbers(&self, text: &str) -> Result<Literal, BindError> {
-        let mut numbers = Vec::new();
-        for part in text.split(',').take(17) {
-            numbers.push(part.trim().parse::<f32>().map_err(|_| self.type_error(text))?);
+        let mut given = Vec::new();
+        for part in text.split(',').take(17).map(str::trim) {
+            given.push(numbers::single(part).ok_or_else(|| self.number_error(text, part))?);
         }
-        match (self.value_type, numbers.as_slice()) {
+        match (self.value_type, given.as_slice()) {
             (Type::Scalar, &[x]) => Ok(Literal::Scalar(x)),
             (Type::Vector, &[x, y, z]) => Ok(Literal::Vector([x, y, z])),
             (Type::Color, &[x]) => Ok(Literal::Color([x, x, x, 1.0])),
@@ -146,8 +149,26 @@ impl Parameter {
         }
     }
 
+    /// Why `part` of a text is no number: it is none, or too large.
+    fn number_error(&self, text: &str, part: &str) -> BindError {
+        if numbers::is_number(part) || numbers::names_no_finite(part) {
+            return BindError::NotFinite {
+                name: self.name.clone(),
+                given: shortened(part),
+                range: shown(&self.range),
+            };
+        }
+        match (numbers::nearest_number(part), self.type_error(text)) {
+            (Some(form), BindError::Type { name, type_name, given, .. }) => {
+                let form = if part == text { form } else { format!("`{form}` for `{part}`") };
+                BindError::Type { name, type_name, given, form }
+            }
+            (_, error) => error,
+        }
+    }
+
     /// `literal` if it is finite and in range. Alpha need only be finite.
-    fn admit(&self, literal: Literal) -> Result<Literal, BindError> {
+    pub(crate) fn admit(&self, literal: Literal) -> Result<Literal, BindError> {
         let components: &[f32] = match &literal {
             Literal::Scalar(x) => std::slice::from_ref(x),
             Literal::Vector(vector) => vector,
@@ -183,7 +204,7 @@ impl Parameter {
     fn range_error(&self, given: &str) -> BindError {
         BindError::Range {
             name: self.name.clone(),
-            given: given.into(),
+            given: shortened(given),
             range: if self.value_type == Type::Integer && self.range == crate::nodes::FINITE {
                 format!("{} to {}", i32::MIN, i32::MAX)
             } else {
@@ -219,7 +240,7 @@ impl Parameter {
         BindError::Type {
             name: self.name.clone(),
             type_name: self.value_type.name(),
-            given: given.into(),
+            given: shortened(given),
             form,
         }
     }
@@ -229,7 +250,7 @@ impl Parameter {
 fn texture(text: &str) -> Option<Texture> {
     let spaced = text.rsplit_once(',').and_then(|(file, space)| {
         let (_, space) = Space::ALL.into_iter().find(|(name, _)| *name == space.trim())?;
-        Some(Texture { file: file.trim().to_owned(), space })
+        Some(Texture { file: file.to_owned(), space })
     });
     let plain = || Texture { file: text.to_owned(), space: Space::of_file(text) };
     (!matches!(text, "" | "null")).then(|| spaced.unwrap_or_else(plain))
@@ -275,6 +296,9 @@ mod tests {
         assert_eq!(graph.bind("count", "-2147483648"), Ok(Literal::Integer(i32::MIN)));
         assert_eq!(graph.bind("mode", "rough"), Ok(Literal::Integer(1)));
         assert_eq!(graph.bind("on", "false"), Ok(Literal::Boolean(false)));
+        assert_eq!(graph.bind("count", "2.0"), Ok(Literal::Integer(2)));
+        assert_eq!(graph.bind("count", "1e0"), Ok(Literal::Integer(1)));
+        assert_eq!(graph.bind("ior", "1.00000005960464477540"), Ok(Literal::Scalar(1.000_000_1)));
         assert_eq!(
             graph.bind("lights", "key, rim"),
             Ok(Literal::Lights(vec!["key".into(), "rim".into()]))
@@ -310,7 +334,7 @@ mod tests {
         );
         assert_eq!(
             message("ior", "1e39"),
-            "`inf` for parameter `ior` is not finite in 32 bits; give a number in 0.1 to 4"
+            "`1e39` for parameter `ior` is not finite in 32 bits; give a number in 0.1 to 4"
         );
         assert_eq!(
             message("ior", "x"),
@@ -323,6 +347,13 @@ mod tests {
         assert!(message("up", "1,2").contains("`0,0,1`"));
         assert!(message("tint", "1,2,3").starts_with("2 is outside"));
         assert!(message("tint", "1,1,1,inf").contains("not finite"));
-        assert!(message("on", "maybe").contains("`true` or `false`"));
+        for text in ["maybe", "1", "0", "True", ""] {
+            assert!(message("on", text).contains("`true` or `false`"), "{text}");
+        }
+        assert!(message("ior", ".5").ends_with("write 0.5"));
+        assert!(message("ior", "+1").ends_with("write 1"));
+        assert!(message("tint", "1,.5,0").ends_with("write `0.5` for `.5`"));
+        assert!(message("count", "1.5").contains("a whole number"));
+        assert!(message("count", "0x10").ends_with("write 16"));
     }
 }

@@ -2,6 +2,7 @@
 //! and the engines start from.
 
 pub(crate) mod bind;
+pub(crate) mod parts;
 mod requirements;
 mod with_root;
 

@@ -20,6 +20,7 @@ pub(super) fn define(definitions: &mut Map<String, Value>) {
                 { "type": ["number", "string", "boolean", "array", "null"] },
                 reference("light_literal"),
                 reference("texture_literal"),
+                object(&["struct"], json!({ "struct": { "type": "object" } })),
             ] },
         }),
     );

@@ -366,7 +366,7 @@ pub static OPTIONS: Section = Section {
         ),
         key(
             "seed",
-            Kind::Whole(0..=9_007_199_254_740_992),
+            Kind::Whole(0..=u64::MAX as i128),
             Given::Default("0"),
             "Seed of all random numbers: the same seed, the same picture",
         ),

@@ -11,7 +11,7 @@ use phenomenon_compiler::graph::RootKind;
 
 pub use context::Context;
 pub use statistics::{RayCounts, Statistics};
-pub use tiles::{RenderError, Rendered, SAMPLE_LIMIT, Settings, render};
+pub use tiles::{Region, RenderError, Rendered, SAMPLE_LIMIT, Settings, render, render_region};
 
 /// The shader types this renderer calls. Roots of other types are checked and compiled by whoever
 /// wants them, but no picture depends on them.

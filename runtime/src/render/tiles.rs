@@ -22,6 +22,19 @@ const STACK_BYTES: usize = 64 << 20;
 /// Most samples of a pixel.
 pub const SAMPLE_LIMIT: u32 = 1 << 20;
 
+/// A part of a picture, in pixels of the whole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Region {
+    /// Its first column.
+    pub x: u32,
+    /// Its first row, from the top.
+    pub y: u32,
+    /// Its columns.
+    pub width: u32,
+    /// Its rows.
+    pub height: u32,
+}
+
 /// How a scene is rendered. Only the size, the samples and the seed change the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Settings {
@@ -41,6 +54,26 @@ pub struct Settings {
     pub tile: u32,
 }
 
+impl Region {
+    /// All of a picture.
+    fn whole(settings: &Settings) -> Self {
+        Self { x: 0, y: 0, width: settings.width, height: settings.height }
+    }
+
+    /// Fails unless it has pixels, all of them in the picture.
+    fn require_within(self, settings: &Settings) -> Result<(), RenderError> {
+        let Region { x, y, width, height } = self;
+        let (of_width, of_height) = (settings.width, settings.height);
+        let inside = |at: u32, side: u32, of: u32| {
+            side > 0 && at.checked_add(side).is_some_and(|end| end <= of)
+        };
+        if inside(x, width, of_width) && inside(y, height, of_height) {
+            return Ok(());
+        }
+        Err(RenderError::Region { x, y, width, height, of_width, of_height })
+    }
+}
+
 impl Default for Settings {
     fn default() -> Self {
         Self { width: 512, height: 512, samples: 16, seed: 0, threads: 0, batch: 256, tile: 16 }
@@ -53,6 +86,24 @@ pub enum RenderError {
     /// The picture cannot have this size.
     #[error(transparent)]
     Size(#[from] SizeError),
+    /// The region has no pixels, or some outside of the picture.
+    #[error(
+        "no region of {width} x {height} pixels at {x},{y} lies in a picture of {of_width} x {of_height}"
+    )]
+    Region {
+        /// Its first column.
+        x: u32,
+        /// Its first row.
+        y: u32,
+        /// Its columns.
+        width: u32,
+        /// Its rows.
+        height: u32,
+        /// Columns of the picture.
+        of_width: u32,
+        /// Rows of the picture.
+        of_height: u32,
+    },
     /// The number of samples is out of range.
     #[error("{0} samples per pixel are not possible: 1 to {SAMPLE_LIMIT} are")]
     Samples(u32),
@@ -76,7 +127,24 @@ pub fn render(
     settings: &Settings,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Rendered, RenderError> {
-    let film = Film::new(settings.width, settings.height)?;
+    // A picture without pixels has no region, and a message of its own.
+    Film::new(settings.width, settings.height)?;
+    render_region(scene, settings, Region::whole(settings), progress)
+}
+
+/// Renders a part of the picture that [`render`] renders: the film has its size, and the pixels are
+/// those of the whole, to the bit.
+///
+/// # Errors
+/// As for [`render`], and where the part is not within the picture.
+pub fn render_region(
+    scene: &Scene,
+    settings: &Settings,
+    part: Region,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Rendered, RenderError> {
+    part.require_within(settings)?;
+    let film = Film::new(part.width, part.height)?;
     if !(1..=SAMPLE_LIMIT).contains(&settings.samples) {
         return Err(RenderError::Samples(settings.samples));
     }
@@ -85,7 +153,7 @@ pub fn render(
         .stack_size(STACK_BYTES)
         .build()?;
     let start = Instant::now();
-    let tiles = tiles(settings);
+    let tiles = tiles(settings.tile, part);
     let work = Work { film: Mutex::new((film, 0)), contexts: Mutex::new(Vec::new()) };
     pool.install(|| {
         tiles.par_iter().with_max_len(1).for_each(|tile| {
@@ -94,7 +162,7 @@ pub fn render(
                 .unwrap_or_else(|| Painter::new(Context::new(scene, settings.batch)));
             painter.paint(settings, tile);
             let mut film = locked(&work.film);
-            painter.copy_to(&mut film.0, tile);
+            painter.copy_to(&mut film.0, part, tile);
             film.1 += 1;
             let done = film.1;
             drop(film);
@@ -134,26 +202,28 @@ fn statistics(painters: &[Painter<'_>], whole: Duration, threads: usize) -> Stat
     Statistics { rays, points, whole_milliseconds, shading_milliseconds, threads }
 }
 
-/// Columns and rows of the film, ends excluded.
+/// Columns and rows of the whole picture, ends excluded.
 struct Tile {
     columns: (u32, u32),
     rows: (u32, u32),
 }
 
-fn tiles(settings: &Settings) -> Vec<Tile> {
-    let side = settings.tile.max(1);
-    let spans = |length: u32| {
-        (0..length).step_by(side as usize).map(move |at| (at, at.saturating_add(side).min(length)))
+fn tiles(side: u32, part: Region) -> Vec<Tile> {
+    let side = side.max(1);
+    let spans = |first: u32, length: u32| {
+        let end = first + length;
+        (first..end).step_by(side as usize).map(move |at| (at, at.saturating_add(side).min(end)))
     };
-    spans(settings.height)
-        .flat_map(|rows| spans(settings.width).map(move |columns| Tile { columns, rows }))
+    spans(part.y, part.height)
+        .flat_map(|rows| spans(part.x, part.width).map(move |columns| Tile { columns, rows }))
         .collect()
 }
 
 /// Paints tiles, one after the other, and keeps what it needs for that.
 struct Painter<'s> {
     context: Context<'s>,
-    pixels: Vec<[f32; 4]>,
+    /// Sums of the samples. A sum of 2^20 numbers of 24 bits needs 44: in 64 bits none is lost.
+    pixels: Vec<[f64; 4]>,
     rays: Vec<Ray>,
     answers: Vec<Answer>,
     /// Pixel of the tile that each ray belongs to.
@@ -182,9 +252,8 @@ impl<'s> Painter<'s> {
             }
         }
         self.flush();
-        let share = 1.0 / settings.samples as f32;
         for pixel in &mut self.pixels {
-            *pixel = pixel.map(|sum| sum * share);
+            *pixel = pixel.map(|sum| sum / f64::from(settings.samples));
         }
     }
 
@@ -199,7 +268,7 @@ impl<'s> Painter<'s> {
             if answer.ok {
                 let pixel = &mut self.pixels[*owner];
                 for (sum, color) in pixel.iter_mut().zip(answer.color) {
-                    *sum += color;
+                    *sum += f64::from(color);
                 }
             }
         }
@@ -207,11 +276,12 @@ impl<'s> Painter<'s> {
         self.owners.clear();
     }
 
-    fn copy_to(&self, film: &mut Film, tile: &Tile) {
+    /// Rounds the means to 32 bits, once.
+    fn copy_to(&self, film: &mut Film, part: Region, tile: &Tile) {
         let mut pixels = self.pixels.iter();
         for row in tile.rows.0..tile.rows.1 {
             for (column, pixel) in (tile.columns.0..tile.columns.1).zip(&mut pixels) {
-                film.set(column, row, *pixel);
+                film.set(column - part.x, row - part.y, pixel.map(|mean| mean as f32));
             }
         }
     }

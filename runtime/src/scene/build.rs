@@ -8,6 +8,7 @@ use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::Hit;
 
 use super::depth::TraceDepth;
+use super::description::ShapeDescription;
 use crate::bvh::{PrimitiveId, Tree, TreeError};
 use crate::camera::Camera;
 use crate::geometry::{
@@ -116,18 +117,9 @@ impl SceneBuilder {
         transform: &Transform,
         material: u32,
     ) -> Result<&mut Self, SceneError> {
-        if !transform.is_regular() {
-            return Err(MeshError::IrregularTransform.into());
-        }
-        let scale = transform.uniform_scale().ok_or(SceneError::UnevenSphere)?;
-        let center = single(transform.point(DVec3::from(center)));
-        let radius = (radius * scale) as f32;
-        let inside = |x: f32| x.abs() <= COORDINATE_LIMIT;
-        if !(radius > 0.0 && inside(radius) && center.into_iter().all(inside)) {
-            return Err(SceneError::BadSphere);
-        }
+        let sphere = placed_sphere(center, radius, transform)?;
         let id = PrimitiveId { instance: self.instances.len() as u32, primitive: 0 };
-        self.primitives.push((id, Primitive::Sphere(Sphere { center, radius })));
+        self.primitives.push((id, Primitive::Sphere(sphere)));
         let terminator = ShadowTerminator::default();
         self.instances.push(Instance { shape: Shape::Sphere, material, terminator });
         Ok(self)
@@ -200,6 +192,40 @@ impl SceneBuilder {
             textures,
         })
     }
+}
+
+/// Whether [`SceneBuilder`] would take a shape where a transform puts it.
+pub(super) fn check_placed(
+    shape: &ShapeDescription,
+    transform: &Transform,
+) -> Result<(), SceneError> {
+    match shape {
+        ShapeDescription::Sphere { center, radius } => {
+            placed_sphere(*center, *radius, transform).map(drop)
+        }
+        // Most meshes stand as they are, and need no copy.
+        ShapeDescription::Mesh(mesh) if *transform == Transform::default() => Ok(mesh.validate()?),
+        ShapeDescription::Mesh(mesh) => Ok(mesh.transformed(transform).map(drop)?),
+    }
+}
+
+/// The sphere where a transform puts it.
+fn placed_sphere(
+    center: [f64; 3],
+    radius: f64,
+    transform: &Transform,
+) -> Result<Sphere, SceneError> {
+    if !transform.is_regular() {
+        return Err(MeshError::IrregularTransform.into());
+    }
+    let scale = transform.uniform_scale().ok_or(SceneError::UnevenSphere)?;
+    let center = single(transform.point(DVec3::from(center)));
+    let radius = (radius * scale) as f32;
+    let inside = |x: f32| x.abs() <= COORDINATE_LIMIT;
+    if !(radius > 0.0 && inside(radius) && center.into_iter().all(inside)) {
+        return Err(SceneError::BadSphere);
+    }
+    Ok(Sphere { center, radius })
 }
 
 impl Scene {

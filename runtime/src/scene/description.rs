@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use phenomenon_compiler::check::Setting;
 use phenomenon_compiler::diagnostics::Place;
 use phenomenon_compiler::engine::Shade;
 use phenomenon_compiler::graph::RootKind;
@@ -79,18 +80,21 @@ pub enum ShapeDescription {
 }
 
 /// Which graph shades something.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct MaterialRef {
     /// The graph.
     pub source: MaterialSource,
     /// Parameters it is given, in file order.
-    pub set: Vec<Override>,
+    pub set: Vec<Setting>,
     /// Where the scene names it.
     pub place: Place,
+    /// What the caller changes about this use, by a number of the caller's; none as read from a
+    /// file. Uses with different changes share no shader.
+    pub change: Option<usize>,
 }
 
 /// A graph a scene uses, and what for.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct GraphUse {
     /// The graph with its parameters.
     pub material: MaterialRef,
@@ -105,21 +109,6 @@ pub enum MaterialSource {
     Subject,
     /// A graph file; its path starts at the scene's folder.
     File(PathBuf),
-}
-
-/// A parameter and its value.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Override {
-    /// The parameter.
-    pub name: String,
-    /// The value, written as for `--set`: numbers of a list joined by commas.
-    pub text: String,
-    /// Where the scene names the parameter.
-    pub key: Place,
-    /// Where the scene gives the value.
-    pub place: Place,
-    /// The elements of a list, or the one value, each with its place.
-    pub parts: Vec<(String, Place)>,
 }
 
 /// What rays see that leave a scene.
@@ -158,11 +147,15 @@ impl SceneDescription {
 
     /// Every reference to a graph, the environment's last.
     pub fn materials(&self) -> impl Iterator<Item = &MaterialRef> {
-        let environment = match &self.environment {
+        self.objects.iter().map(|object| &object.material).chain(self.environment_material())
+    }
+
+    /// The environment's reference to a graph.
+    pub fn environment_material(&self) -> Option<&MaterialRef> {
+        match &self.environment {
             Some(EnvironmentDescription::Shader(material)) => Some(material),
             _ => None,
-        };
-        self.objects.iter().map(|object| &object.material).chain(environment)
+        }
     }
 
     /// Builds the scene; `resolve` makes shaders of its materials, once for each that differs.
@@ -214,8 +207,9 @@ impl SceneDescription {
 
 /// Whether two references give the same shader, wherever they stand.
 fn equal(a: &MaterialRef, b: &MaterialRef) -> bool {
-    let values = |material: &MaterialRef| -> Vec<(String, String)> {
-        material.set.iter().map(|set| (set.name.clone(), set.text.clone())).collect()
-    };
-    a.source == b.source && values(a) == values(b)
+    let same = |(a, b): (&Setting, &Setting)| a.is_same(b);
+    a.source == b.source
+        && a.change == b.change
+        && a.set.len() == b.set.len()
+        && a.set.iter().zip(&b.set).all(same)
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use phenomenon_compiler::diagnostics::{Code, Finding, Place};
+use phenomenon_compiler::document::numbers::{self, Whole};
 use phenomenon_compiler::document::{
     Document, Object, Reader, Value, ValueKind, all_mistakes, read, read_file,
 };
@@ -97,7 +98,7 @@ fn scene(
     let object = section(reader, root, &SCENE)?;
     let name = object.required(reader, "scene").and_then(|value| reader.string(value, "`scene`"));
     if let Some(value) = object.optional("version") {
-        reader.integer(value, "`version`", 1..=1);
+        reader.integer::<i32>(value, "`version`", 1..=1);
     }
     for (key, what) in [("doc", "`doc`"), ("$schema", "`$schema`")] {
         object.optional(key).map(|value| reader.string(value, what));
@@ -143,39 +144,43 @@ fn options<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<SceneOptions
         Some(value) => size(reader, value),
         None => Some((default.width, default.height)),
     };
-    let mut whole = |key: &str, least: i64, most: i64, default: i64| match object.optional(key) {
-        Some(value) => reader.integer(value, &format!("`{key}`"), least..=most),
-        None => Some(default),
+    let samples = match object.optional("samples") {
+        Some(value) => reader.integer(value, "`samples`", 1..=SAMPLE_LIMIT),
+        None => Some(default.samples),
     };
-    let samples = whole("samples", 1, i64::from(SAMPLE_LIMIT), i64::from(default.samples));
-    let seed = whole("seed", 0, 1 << 53, 0);
+    let seed = match object.optional("seed") {
+        Some(value) => reader.integer(value, "`seed`", 0..=u64::MAX),
+        None => Some(default.seed),
+    };
     let depth = match object.optional("trace_depth") {
         Some(value) => trace_depth(reader, value),
         None => Some(default.depth),
     };
     let (width, height) = size?;
-    Some(SceneOptions {
-        width,
-        height,
-        samples: samples? as u32,
-        depth: depth?,
-        seed: seed? as u64,
-    })
+    Some(SceneOptions { width, height, samples: samples?, depth: depth?, seed: seed? })
 }
 
 fn size<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<(u32, u32)> {
-    let [width, height] = reader.numbers(value, "`size`", 1.0..=f64::from(SIDE_LIMIT))?;
-    if width.fract() != 0.0 || height.fract() != 0.0 {
+    reader.numbers::<2>(value, "`size`", 1.0..=f64::from(SIDE_LIMIT))?;
+    let ValueKind::Array(sides) = &value.kind else { return None };
+    let side = |value: &Value| match &value.kind {
+        ValueKind::Number(text) => match numbers::whole(text) {
+            Whole::Number(side) => u32::try_from(side).ok(),
+            Whole::Fraction | Whole::NoNumber => None,
+        },
+        _ => None,
+    };
+    let [Some(width), Some(height)] = [&sides[0], &sides[1]].map(side) else {
         reader.wrong_kind(value, "`size`", "a list of two whole numbers");
         return None;
-    }
-    if width * height > PIXEL_LIMIT as f64 {
+    };
+    if u64::from(width) * u64::from(height) > PIXEL_LIMIT {
         let message = format!("a picture of {width} x {height} pixels is too large");
         let help = format!("at most {PIXEL_LIMIT} pixels are possible");
         reader.report(Code::NUMBER_OUT_OF_RANGE, value, message, help);
         return None;
     }
-    Some((width as u32, height as u32))
+    Some((width, height))
 }
 
 /// One number, or a list of one to three.
@@ -188,16 +193,15 @@ fn trace_depth<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<TraceDep
         }
         _ => std::slice::from_ref(value),
     };
-    let numbers: Vec<Option<i64>> = values
+    let numbers: Vec<Option<i32>> = values
         .iter()
         .enumerate()
         .map(|(at, value)| {
             let limit = if at == 2 { 2 * DEPTH_LIMIT } else { DEPTH_LIMIT };
-            reader.integer(value, "`trace_depth`", 0..=i64::from(limit))
+            reader.integer(value, "`trace_depth`", 0..=limit)
         })
         .collect();
-    let numbers: Option<Vec<i32>> =
-        numbers.into_iter().map(|number| number.map(|number| number as i32)).collect();
+    let numbers: Option<Vec<i32>> = numbers.into_iter().collect();
     TraceDepth::from_numbers(&numbers?)
 }
 

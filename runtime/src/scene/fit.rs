@@ -1,71 +1,36 @@
 //! Whether a scene and the graphs it uses fit: the roots that are called, the parameters that are
 //! set, the lights that are asked for. `check` reports what does not, and `render` refuses it.
 
-use std::path::Path;
+use std::collections::HashSet;
 
-use phenomenon_compiler::check::{Files, OnDisk};
+use phenomenon_compiler::check::{Files, Setting, bind_settings};
 use phenomenon_compiler::diagnostics::{Code, Finding, Place};
 use phenomenon_compiler::document::{Document, Value, ValueKind, nearest};
-use phenomenon_compiler::graph::{BindError, Binding, Graph};
+use phenomenon_compiler::graph::{Binding, Graph};
 use phenomenon_compiler::nodes::Literal;
 
-use super::description::{GraphUse, MaterialRef, Override};
+use super::description::{GraphUse, MaterialRef};
 use super::file::LightNames;
 
-/// What does not fit between a use of a graph and the graph: its roots and its parameters.
-pub fn misfits(used: &GraphUse, graph: &Graph) -> Vec<Finding> {
-    let (_, mut findings) = settings(&used.material, graph);
+/// The root that a use of a graph calls, and the graph lacks.
+pub fn missing_root(used: &GraphUse, graph: &Graph) -> Option<Finding> {
     let root = used.root.name();
-    if graph.root(used.root).is_none() {
-        let message = format!("`{}` has no `{root}` root", graph.name);
-        let help = format!("give it one, or use a graph here that has the root `{root}`");
-        let place = used.material.place.clone();
-        findings.push(Finding::new(Code::MISSING_ROOT, place, message, help));
+    if graph.root(used.root).is_some() {
+        return None;
     }
-    findings
+    let message = format!("`{}` has no `{root}` root", graph.name);
+    let help = format!("give it one, or use a graph here that has the root `{root}`");
+    Some(Finding::new(Code::MISSING_ROOT, used.material.place.clone(), message, help))
 }
 
-/// The values a scene gives to the parameters of a graph; those that do not suit are findings.
-pub fn settings(material: &MaterialRef, graph: &Graph) -> (Vec<(String, Literal)>, Vec<Finding>) {
-    let mut values = Vec::with_capacity(material.set.len());
-    let mut findings = Vec::new();
-    for set in &material.set {
-        match graph.bind(&set.name, &set.text) {
-            Ok(literal) => {
-                findings.extend(missing_texture(set, &literal));
-                values.push((set.name.clone(), literal));
-            }
-            Err(error) => findings.push(misfit(set, graph, &error)),
-        }
-    }
-    (values, findings)
-}
-
-/// A texture that is not there.
-fn missing_texture(set: &Override, literal: &Literal) -> Option<Finding> {
-    let Literal::Texture(Some(texture)) = literal else { return None };
-    let why = OnDisk.unusable(Path::new(&texture.file))?;
-    let message = format!("the texture `{}` cannot be used: {why}", texture.file);
-    let help = "paths are relative to the folder of this file";
-    Some(Finding::new(Code::UNREADABLE_FILE, set.place.clone(), message, help))
-}
-
-fn misfit(set: &Override, graph: &Graph, error: &BindError) -> Finding {
-    let (code, place) = match error {
-        BindError::Unknown { .. } => (Code::UNKNOWN_PARAMETER, &set.key),
-        BindError::Type { .. } => (Code::TYPE_MISMATCH, &set.place),
-        BindError::NotFinite { .. } => (Code::NOT_FINITE, &set.place),
-        BindError::Range { .. } => (Code::NUMBER_OUT_OF_RANGE, &set.place),
-    };
-    // The command line has one line for both; a finding has one for each.
-    let told = error.to_string();
-    let (message, help) = told.rsplit_once("; ").unwrap_or((&told, ""));
-    let mut finding = Finding::new(code, place.clone(), message, help);
-    if code == Code::UNKNOWN_PARAMETER {
-        let names = graph.parameters.iter().map(|parameter| parameter.name.as_str());
-        finding.fix = nearest(&set.name, names).and_then(|near| near.fix());
-    }
-    finding
+/// The values a scene gives to the parameters of a graph; those that do not suit are findings, and so
+/// are pictures among them that cannot be used.
+pub fn settings(
+    material: &MaterialRef,
+    graph: &Graph,
+    files: &dyn Files,
+) -> (Vec<(String, Literal)>, Vec<Finding>) {
+    bind_settings(graph, &material.set, files)
 }
 
 /// The names of lights a graph asks for and the scene does not have: they would light nothing,
@@ -78,14 +43,15 @@ pub fn unknown_lights(
     values: &[(String, Literal)],
     document: Option<&Document>,
 ) -> Vec<Finding> {
-    let is_given = |parameter: &str| values.iter().any(|(name, _)| name == parameter);
+    let names: HashSet<&str> = values.iter().map(|(name, _)| name.as_str()).collect();
+    let is_given = |parameter: &str| names.contains(parameter);
     let inputs = graph.nodes.iter().flat_map(|node| &node.inputs);
     let literals = inputs.filter_map(|binding| match binding {
         Binding::Literal(literal) => Some(literal),
         _ => None,
     });
     // A setting that was refused may have been meant for any parameter: defaults say nothing then.
-    let sure = material.set.iter().all(|set| is_given(&set.name));
+    let sure = material.set.iter().all(|set| names.iter().any(|name| gives(set, name)));
     let defaults = graph.parameters.iter().filter(|parameter| sure && !is_given(&parameter.name));
     let own = unknown(lights, literals.chain(defaults.map(|parameter| &parameter.default)));
     let mut findings: Vec<Finding> = own
@@ -99,11 +65,10 @@ pub fn unknown_lights(
         })
         .collect();
     for (parameter, literal) in values {
-        let set = material.set.iter().find(|set| set.name == *parameter);
+        let set = material.set.iter().find(|set| gives(set, parameter));
         for name in unknown(lights, std::iter::once(literal)) {
-            let part = set.and_then(|set| set.parts.iter().find(|(text, _)| text == name));
-            let place = part.map(|(_, place)| place).or(set.map(|set| &set.place));
-            findings.push(finding(lights, material, graph, name, place.cloned()));
+            let place = set.map(|set| place_in_setting(set, name));
+            findings.push(finding(lights, material, graph, name, place));
         }
     }
     findings
@@ -149,6 +114,23 @@ fn place_in_graph<'d>(
         }),
         _ => None,
     }
+}
+
+/// Whether a setting gives a parameter its value, alone or as a part of an array or a struct.
+fn gives(setting: &Setting, parameter: &str) -> bool {
+    let rest = parameter.strip_prefix(setting.name.as_str());
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+}
+
+/// Where a setting says `{ "light": name }`.
+fn place_in_setting(setting: &Setting, name: &str) -> Place {
+    let document = &setting.document;
+    let value = place_in_graph(document, &document.root, name, &|_| false);
+    value.map_or(setting.place.clone(), |value| Place {
+        start: value.start,
+        end: value.end,
+        ..setting.place.clone()
+    })
 }
 
 /// Whether `value` is the object of the parameters.

@@ -17,10 +17,10 @@ pub use build::{Scene, SceneBuilder, SceneError};
 pub use depth::{DEPTH_LIMIT, TraceDepth};
 pub use description::{
     BuildError, EnvironmentDescription, GraphUse, MaterialRef, MaterialSource, ObjectDescription,
-    Override, SceneDescription, SceneOptions, ShapeDescription,
+    SceneDescription, SceneOptions, ShapeDescription,
 };
 pub use embedded::{default_scene, embedded_file};
 pub use file::{
     LightNames, SceneFile, check_scene, check_scene_with, is_scene, read_scene, read_scene_file,
 };
-pub use fit::{misfits, settings, unknown_lights};
+pub use fit::{missing_root, settings, unknown_lights};

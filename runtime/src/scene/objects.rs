@@ -4,16 +4,18 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use phenomenon_compiler::diagnostics::{Code, Finding, Place};
-use phenomenon_compiler::document::{Member, Object, Reader, Value, ValueKind};
+use phenomenon_compiler::check::Setting;
+use phenomenon_compiler::diagnostics::{Code, Finding};
+use phenomenon_compiler::document::{Object, Reader, Value, ValueKind};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::schema::{
     COORDINATES, LENGTHS, MATERIAL, OBJECT, RECTANGLE, SPHERE, TRANSFORM,
 };
 
 use super::assets::Assets;
+use super::build::check_placed;
 use super::description::{
-    GraphUse, MaterialRef, MaterialSource, ObjectDescription, Override, ShapeDescription,
+    GraphUse, MaterialRef, MaterialSource, ObjectDescription, ShapeDescription,
 };
 use super::file::{section, vector};
 use super::foreign;
@@ -78,6 +80,14 @@ fn object<'d>(
         let place = object.optional("transform").unwrap_or(value);
         let message = "a sphere can be scaled only by the same factor in every direction";
         reader.report(Code::UNUSABLE_OBJECT, place, message, "give `scale` one number");
+        return None;
+    }
+    if let Err(error) = check_placed(&shape, &transform) {
+        // Without a transform it is the shape itself that is too large.
+        let place = object.optional("transform").or(object.optional(kind)).unwrap_or(value);
+        let message = format!("this object cannot be placed: {error}");
+        let help = "scale it less, or move it nearer to the origin";
+        reader.report(Code::UNUSABLE_OBJECT, place, message, help);
         return None;
     }
     let name = name.map_or(Some(kind), |name| name)?.to_owned();
@@ -185,11 +195,11 @@ fn material<'d>(reader: &mut Reader<'d>, value: &'d Value, folder: &Path) -> Opt
     if let (None, Some(file)) = (subject, object.optional("file")) {
         return graph_file(reader, &object, file, "`file` of a material", folder);
     }
-    let set = settings(reader, &object, folder);
+    let set = settings(reader, &object);
     match (subject, object.optional("file")) {
         (Some(Some(true)), None) => {
             let place = reader.document.place(value);
-            Some(MaterialRef { source: MaterialSource::Subject, set: set?, place })
+            Some(MaterialRef { source: MaterialSource::Subject, set: set?, place, change: None })
         }
         (Some(None), None) => None,
         _ => {
@@ -210,74 +220,16 @@ pub(super) fn graph_file<'d>(
     folder: &Path,
 ) -> Option<MaterialRef> {
     let source = file_path(reader, file, what, folder).map(MaterialSource::File);
-    let set = settings(reader, object, folder);
-    Some(MaterialRef { source: source?, set: set?, place: reader.document.place(file) })
+    let set = settings(reader, object);
+    let place = reader.document.place(file);
+    Some(MaterialRef { source: source?, set: set?, place, change: None })
 }
 
-/// The members of `set`, as far as they are values; none where it is no object.
-fn settings<'d>(
-    reader: &mut Reader<'d>,
-    object: &Object<'d>,
-    folder: &Path,
-) -> Option<Vec<Override>> {
-    let mut set = Vec::new();
-    let Some(value) = object.optional("set") else { return Some(set) };
-    for member in reader.members(value, "`set`")? {
-        let elements = match &member.value.kind {
-            ValueKind::Array(elements) => elements.as_slice(),
-            _ => std::slice::from_ref(&member.value),
-        };
-        let parts: Option<Vec<(String, Place)>> = elements
-            .iter()
-            .map(|element| {
-                setting(element, folder).map(|text| (text, reader.document.place(element)))
-            })
-            .collect();
-        let Some(parts) = parts else {
-            let expected =
-                "a number, a word, true, false, a light, a texture, null, or a list of these";
-            reader.wrong_kind(&member.value, &format!("`{}`", member.key), expected);
-            continue;
-        };
-        let texts: Vec<&str> = parts.iter().map(|(text, _)| text.as_str()).collect();
-        set.push(Override {
-            name: member.key.clone(),
-            text: texts.join(","),
-            key: reader.document.place_of_key(member),
-            place: reader.document.place(&member.value),
-            parts,
-        });
-    }
-    Some(set)
-}
-
-/// One value as `--set` takes it; a light or a texture may be written as in a graph, and `null` is no
-/// texture.
-fn setting(value: &Value, folder: &Path) -> Option<String> {
-    let text = |value: &Value| match &value.kind {
-        ValueKind::String(text) => Some(text.clone()),
-        _ => None,
-    };
-    match &value.kind {
-        ValueKind::Boolean(value) => Some(value.to_string()),
-        ValueKind::Number(text) | ValueKind::String(text) => Some(text.clone()),
-        ValueKind::Object(members) => match members.as_slice() {
-            [Member { key, value, .. }] if key == "light" => text(value),
-            [Member { key, value, .. }, rest @ ..] if key == "texture" => {
-                let file = folder.join(text(value)?).display().to_string();
-                match rest {
-                    [] => Some(file),
-                    [Member { key, value, .. }] if key == "space" => {
-                        Some(format!("{file},{}", text(value)?))
-                    }
-                    _ => None,
-                }
-            }
-            _ => None,
-        },
-        ValueKind::Null => Some("null".into()),
-        ValueKind::Array(_) => None,
-    }
+/// The members of `set`; what they may be only the graph can tell. None where it is no object.
+fn settings<'d>(reader: &mut Reader<'d>, object: &Object<'d>) -> Option<Vec<Setting>> {
+    let Some(value) = object.optional("set") else { return Some(Vec::new()) };
+    let members = reader.members(value, "`set`")?;
+    Some(members.map(|member| Setting::new(reader.document, member)).collect())
 }
 
 /// A path, which starts at the scene's folder.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use phenomenon_compiler::effects::TextureId;
-use phenomenon_compiler::nodes::Texture;
+use phenomenon_compiler::nodes::{Space, Texture};
 
 use super::Picture;
 use crate::film::{self, FilmError};
@@ -41,6 +41,13 @@ pub enum TextureError {
 
 /// Most pixels of all textures of a scene: 4 GiB of memory.
 pub const TEXTURE_PIXEL_LIMIT: u64 = 1 << 28;
+
+/// Why a picture cannot be a texture; none where it can. It is decoded for that, and not kept.
+pub fn unusable(path: &Path) -> Option<TextureError> {
+    let file = path.display().to_string();
+    let space = Space::of_file(&file);
+    Textures::default().open(&Texture { file, space }).err()
+}
 
 /// Textures by number.
 #[derive(Debug)]
@@ -106,8 +113,6 @@ impl Textures {
 
 #[cfg(test)]
 mod tests {
-    use phenomenon_compiler::nodes::Space;
-
     use super::*;
     use crate::film::Film;
 

@@ -3,5 +3,5 @@
 mod library;
 mod picture;
 
-pub use library::{TEXTURE_PIXEL_LIMIT, TextureError, Textures};
+pub use library::{TEXTURE_PIXEL_LIMIT, TextureError, Textures, unusable};
 pub use picture::Picture;

@@ -8,6 +8,7 @@ mod polygons;
 mod scene_files;
 mod self_intersection;
 mod shaders;
+mod sums;
 mod surfaces;
 mod tree;
 mod tree_shapes;

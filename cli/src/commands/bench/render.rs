@@ -39,7 +39,7 @@ pub struct Arguments {
 
     /// Runs of each engine; the median is printed
     #[arg(long, value_name = "N", default_value = "5",
-          value_parser = clap::value_parser!(u8).range(1..=100))]
+          value_parser = arguments::runs)]
     runs: u8,
 
     /// Write the rows to render.json in this folder
@@ -83,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             simd: SimdChoice::default(),
             batch: 256,
         };
-        let change = Change { set: &[], node: None };
+        let change = Change::default();
         match scenes::load(&arguments.file, &library, &run, &change) {
             Ok(picture) => contenders.push(Contender { engine, picture, runs: Vec::new() }),
             // Not every graph is written by hand, and not every machine has the jit.

@@ -7,19 +7,22 @@ pub use scene::check_with as check_scene;
 
 use std::collections::HashSet;
 use std::path::PathBuf;
+use std::sync::Arc;
 
-use phenomenon_compiler::check::{Checked, OnDisk, check_graph};
+use phenomenon_compiler::check::{Checked, OnDisk, check_graph_with};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::{self, Document};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::scene::is_scene;
 
+use crate::arguments;
 use crate::difference;
 use crate::failure::{Failure, Outcome};
 use crate::inputs::{self, Input};
 use crate::outputs;
 use crate::report::{Format, Report};
 use crate::terminal;
+use crate::usable::{DecodedPictures, uncompilable};
 
 /// Says all that is wrong in graphs and scenes.
 #[derive(Debug, clap::Args)]
@@ -36,7 +39,7 @@ pub struct Arguments {
     #[arg(long, value_name = "WHAT", value_parser = ["warnings"])]
     deny: Option<String>,
     /// Say nothing of findings with this code that are no errors; may be given many times.
-    #[arg(long, value_name = "CODE", value_parser = code)]
+    #[arg(long, value_name = "CODE", value_parser = arguments::allowable)]
     allow: Vec<Code>,
     /// Put in what can only be meant, as far as nothing new is wrong then, and tell what it was.
     #[arg(long)]
@@ -55,29 +58,26 @@ Examples:
 Exit codes:
   0  no errors
   1  errors
-  2  wrong usage, or a file that cannot be read";
+  2  wrong usage, a file that cannot be read, or nothing to check in the folders named
 
-fn code(name: &str) -> Result<Code, String> {
-    Code::from_name(name).ok_or_else(|| {
-        let codes = phenomenon_compiler::diagnostics::Explanation::ALL;
-        let names = codes.iter().map(|explanation| explanation.code.0);
-        match document::nearest(name, names) {
-            Some(near) => near.help(),
-            None => "`phenomenon explain` lists the codes".into(),
-        }
-    })
-}
+Errors cannot be allowed. JSON files of another kind that are met in folders are passed over, and
+counted.";
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let library = NodeLibrary::standard();
+    let library = Arc::new(NodeLibrary::standard());
     let mut findings = Vec::new();
     let mut omitted = 0;
     let mut told = HashSet::new();
+    let (mut looked_at, mut foreign) = (0_usize, 0_usize);
     let found = inputs::find(&arguments.paths);
     found.failures.iter().for_each(terminal::complain);
     for input in found.inputs {
-        let mut checked = check_input(&input, &library)?;
+        let Some(mut checked) = check_read(inputs::read(&input.path), &input, &library) else {
+            foreign += 1;
+            continue;
+        };
+        looked_at += 1;
         if arguments.fix {
             checked = fix(&input, checked, &library, arguments.diff)?;
         }
@@ -92,6 +92,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 finding.message.clone(),
             ))
         }));
+    }
+    tell_passed_over(foreign);
+    if looked_at == 0 {
+        return Err(inputs::nothing_in(&arguments.paths, "check"));
     }
     findings.retain(|finding| {
         finding.severity == Severity::Error || !arguments.allow.contains(&finding.code)
@@ -117,16 +121,30 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     })
 }
 
+/// Says how many JSON files met in folders are of another kind.
+fn tell_passed_over(foreign: usize) {
+    match foreign {
+        0 => {}
+        1 => terminal::tell("note: 1 JSON file is no graph or scene and was passed over"),
+        many => terminal::tell(&format!(
+            "note: {many} JSON files are no graphs or scenes and were passed over"
+        )),
+    }
+}
+
 /// Writes the file anew with what surely mends it put in, and tells what that was; with `diff` it is
 /// shown and not written. What is found then.
 fn fix(
     input: &Input,
     checked: Checked,
-    library: &NodeLibrary,
+    library: &Arc<NodeLibrary>,
     diff: bool,
 ) -> Result<Checked, Failure> {
     let name = input.path.display().to_string();
-    let mut check = |text: &str| check_read(document::read(&name, text.as_bytes()), input, library);
+    let mut check = |text: &str| {
+        let document = document::read(&name, text.as_bytes());
+        check_read(document, input, library).unwrap_or_default()
+    };
     let Some(mended) = mend::mend(&name, &checked, &mut check) else { return Ok(checked) };
     if diff {
         terminal::print_exactly(&difference::unified(&name, &mended.before, &mended.text))?;
@@ -145,24 +163,29 @@ fn fix(
     Ok(mended.checked)
 }
 
-fn check_input(input: &Input, library: &NodeLibrary) -> Result<Checked, Failure> {
-    Ok(check_read(inputs::read(&input.path), input, library))
-}
-
-/// What is found in a document that was read, or in one that could not be.
+/// What is found in a document that was read, or in one that could not be; none for one met in a
+/// folder that is of another kind.
 fn check_read(
     document: Result<Document, Box<Finding>>,
     input: &Input,
-    library: &NodeLibrary,
-) -> Checked {
+    library: &Arc<NodeLibrary>,
+) -> Option<Checked> {
+    let files = DecodedPictures::of(&OnDisk);
     match document {
-        Ok(document) if input.in_folder && !inputs::is_ours(&document) => Checked::default(),
+        Ok(document) if input.in_folder && !inputs::is_ours(&document) => None,
         Ok(document) if is_scene(&document) => {
-            scene::check(&document, inputs::folder(&input.path), library, &OnDisk)
+            Some(scene::check(&document, inputs::folder(&input.path), library, &files))
         }
-        Ok(document) => check_graph(&document, library),
+        Ok(document) => {
+            let mut checked = check_graph_with(&document, library, &files);
+            if let Some(graph) = &checked.graph {
+                checked.findings.extend(uncompilable(graph, library, &[], &document));
+            }
+            Some(checked)
+        }
+        Err(finding) if input.in_folder && inputs::is_foreign_text(&finding) => None,
         Err(finding) => {
-            Checked { findings: document::all_mistakes(*finding), ..Checked::default() }
+            Some(Checked { findings: document::all_mistakes(*finding), ..Checked::default() })
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use phenomenon_compiler::check::{Checked, Files, check_graph_with};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
@@ -9,9 +10,11 @@ use phenomenon_compiler::document::Document;
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::scene::{
-    Assets, MaterialRef, MaterialSource, SceneFile, check_scene_with, is_scene, misfits, settings,
-    unknown_lights,
+    Assets, MaterialRef, MaterialSource, SceneFile, check_scene_with, is_scene, missing_root,
+    settings, unknown_lights,
 };
+
+use crate::usable::uncompilable;
 
 /// Everything wrong in a scene, in its graphs, and in how the two fit. The scene's own findings come
 /// first, in file order. What it uses is checked even where the scene itself has errors.
@@ -33,7 +36,13 @@ pub fn check_with(
     assets: &Assets,
 ) -> Checked {
     let scene = check_scene_with(document, folder, assets);
-    let mut graphs = Graphs { library, files, known: HashMap::new(), omitted: 0 };
+    let mut graphs = Graphs {
+        library: Arc::new(library.clone()),
+        files,
+        known: HashMap::new(),
+        compiled: HashSet::new(),
+        omitted: 0,
+    };
     let mut findings = scene.findings.clone();
     findings.extend(graphs.check(&scene));
     let is_own = |finding: &Finding| finding.place.file.name == document.file.name;
@@ -51,10 +60,12 @@ pub fn check_with(
 
 /// The graphs of a scene, each read and checked once.
 struct Graphs<'a> {
-    library: &'a NodeLibrary,
+    library: Arc<NodeLibrary>,
     files: &'a dyn Files,
     /// By the one path of the file; none where it cannot be used.
     known: HashMap<PathBuf, Option<(Graph, Document)>>,
+    /// Graphs with the values they were tried with.
+    compiled: HashSet<(PathBuf, String)>,
     omitted: usize,
 }
 
@@ -71,11 +82,18 @@ impl Graphs<'_> {
             let Some((graph, document)) = self.known.get(&identity).and_then(Option::as_ref) else {
                 continue;
             };
-            findings.extend(misfits(used, graph));
+            let (values, misfits) = settings(&used.material, graph, self.files);
+            let fits = misfits.is_empty();
+            findings.extend(misfits);
+            findings.extend(missing_root(used, graph));
             if let Some(lights) = &scene.lights {
-                let (values, _) = settings(&used.material, graph);
                 let document = Some(document);
                 findings.extend(unknown_lights(lights, &used.material, graph, &values, document));
+            }
+            // Many objects use a graph with the same values.
+            if fits && self.compiled.insert((identity, format!("{values:?}"))) {
+                let found = uncompilable(graph, &self.library, &values, document);
+                findings.extend(found.into_iter().map(|it| used_here(it, &used.material)));
             }
         }
         findings
@@ -109,7 +127,7 @@ impl Graphs<'_> {
                 return None;
             }
         };
-        let checked = check_graph_with(&document, self.library, self.files);
+        let checked = check_graph_with(&document, &self.library, self.files);
         self.omitted += checked.omitted;
         findings.extend(checked.findings.into_iter().map(|finding| used_here(finding, material)));
         checked.graph.map(|graph| (graph, document))

@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
+use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded};
 use phenomenon_compiler::graph::{Binding, Graph, RootKind};
 use phenomenon_compiler::nodes::{Literal, NodeLibrary};
@@ -18,7 +19,7 @@ use self::empty_scene::EmptyScene;
 use self::values::Evaluation;
 use crate::arguments::{self, Assignment, EngineChoice, Format, NodePath};
 use crate::failure::{Failure, Outcome};
-use crate::graphs::{self, EngineArguments};
+use crate::graphs::{self, EngineArguments, Told};
 use crate::terminal;
 
 /// Evaluate a graph, or one of its nodes, at one shading point.
@@ -48,6 +49,10 @@ pub struct Arguments {
 
     #[command(flatten)]
     engine: EngineArguments,
+
+    /// Say nothing of findings with this code that are no errors; may be repeated
+    #[arg(long, value_name = "CODE", value_parser = arguments::allowable)]
+    allow: Vec<Code>,
 
     /// How to print
     #[arg(long, value_enum, default_value_t)]
@@ -83,8 +88,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let engine = if arguments.engine.engine == EngineChoice::Auto { Engine::Batch } else { engine };
     let (state, notes) = state_fields::state(&arguments.state)?;
     let library = Arc::new(NodeLibrary::standard());
-    let graph = graphs::read(&arguments.graph, &library)?;
-    let values = graphs::bind(&graph, &arguments.set)?;
+    let graph = Told { allow: &arguments.allow }.read(&arguments.graph, &library)?;
+    let values = graphs::bind(&graph, "", &arguments.set)?;
     notes.iter().for_each(|note| terminal::tell(note));
     let point = Point {
         library: &library,

@@ -1,6 +1,7 @@
 //! `--state FIELD=VALUE`.
 
 use phenomenon_compiler::document::nearest;
+use phenomenon_compiler::document::numbers::{self, Whole};
 use phenomenon_compiler::nodes::{Literal, Type};
 use phenomenon_compiler::state::{Field, RayType, State};
 
@@ -46,7 +47,7 @@ pub fn state(assignments: &[Assignment]) -> Result<(State, Vec<String>), Failure
             return Err(refuse("the field is set twice", "leave one of them out"));
         }
         given.push(field);
-        let literal = parse(field, value).ok_or_else(|| refuse("no such value", form(field)))?;
+        let literal = parse(field, value).map_err(|why| refuse(&why, form(field)))?;
         let literal = admit(field, literal).map_err(|help| refuse("out of range", help))?;
         if matches!(field, Field::Direction | Field::Normal | Field::NormalGeom) && literal.1 {
             notes.push(format!("note: {name} was brought to unit length"));
@@ -81,37 +82,72 @@ fn field(name: &str) -> Result<Field, String> {
     })
 }
 
-/// The value, if it is of the field's type; numbers may still be NaN.
-fn parse(field: Field, text: &str) -> Option<Literal> {
+/// The value, if it is of the field's type; else why it is not.
+fn parse(field: Field, text: &str) -> Result<Literal, String> {
+    let word = text.trim();
     if field == Field::RayType
-        && let Some((_, ray_type)) = RAY_TYPES.iter().find(|(name, _)| *name == text)
+        && let Some((_, ray_type)) = RAY_TYPES.iter().find(|(name, _)| *name == word)
     {
-        return Some(Literal::Integer(*ray_type as i32));
+        return Ok(Literal::Integer(*ray_type as i32));
     }
-    let number = |text: &str| text.trim().parse::<f32>().ok();
     match field.value_type() {
-        Type::Boolean => match text {
-            "true" | "1" => Some(Literal::Boolean(true)),
-            "false" | "0" => Some(Literal::Boolean(false)),
-            _ => None,
+        Type::Boolean => match word {
+            "true" => Ok(Literal::Boolean(true)),
+            "false" => Ok(Literal::Boolean(false)),
+            _ => Err("no such value".into()),
         },
-        Type::Integer => text.parse().ok().map(Literal::Integer),
-        Type::Scalar => number(text).map(Literal::Scalar),
-        Type::Vector => {
-            let numbers: Option<Vec<f32>> = text.split(',').take(4).map(number).collect();
-            numbers.and_then(|numbers| numbers.try_into().ok()).map(Literal::Vector)
-        }
-        Type::Color => {
-            let numbers: Option<Vec<f32>> = text.split(',').take(5).map(number).collect();
-            match numbers?.as_slice() {
-                [x] => Some(Literal::Color([*x, *x, *x, 1.0])),
-                [r, g, b] => Some(Literal::Color([*r, *g, *b, 1.0])),
-                [r, g, b, a] => Some(Literal::Color([*r, *g, *b, *a])),
-                _ => None,
+        Type::Integer => match numbers::whole(word) {
+            Whole::Number(number) => {
+                i32::try_from(number).map(Literal::Integer).map_err(|_| "out of range".to_owned())
             }
-        }
+            Whole::Fraction => Err("a whole number is needed".into()),
+            Whole::NoNumber => Err(nearly(word)),
+        },
+        Type::Scalar => match given(text)?.as_slice() {
+            [x] => Ok(Literal::Scalar(*x)),
+            many => Err(miscounted("one number is needed", many)),
+        },
+        Type::Vector => match given(text)?.as_slice() {
+            [x, y, z] => Ok(Literal::Vector([*x, *y, *z])),
+            other => Err(miscounted("three numbers are needed", other)),
+        },
+        Type::Color => match given(text)?.as_slice() {
+            [x] => Ok(Literal::Color([*x, *x, *x, 1.0])),
+            [r, g, b] => Ok(Literal::Color([*r, *g, *b, 1.0])),
+            [r, g, b, a] => Ok(Literal::Color([*r, *g, *b, *a])),
+            other => Err(miscounted("one, three or four numbers are needed", other)),
+        },
         // No field of the state is of these.
-        _ => None,
+        _ => Err("no such value".into()),
+    }
+}
+
+/// The numbers of a list.
+fn given(text: &str) -> Result<Vec<f32>, String> {
+    let number = |part: &str| {
+        numbers::single(part).ok_or_else(|| {
+            let too_large = numbers::is_number(part) || numbers::names_no_finite(part);
+            let why = if too_large { "not finite in 32 bits".into() } else { nearly(part) };
+            if part == text { why } else { format!("`{part}`: {why}") }
+        })
+    };
+    // One more than any field takes is enough to tell that there are too many.
+    text.split(',').take(5).map(|part| number(part.trim())).collect()
+}
+
+/// Why a text is no number.
+fn nearly(text: &str) -> String {
+    match numbers::nearest_number(text) {
+        Some(number) => format!("write {number}"),
+        None => "no such value".into(),
+    }
+}
+
+fn miscounted(needed: &str, given: &[f32]) -> String {
+    match given.len() {
+        1 => format!("{needed}, and 1 is given"),
+        5 => format!("{needed}, and more than 4 are given"),
+        count => format!("{needed}, and {count} are given"),
     }
 }
 
@@ -245,6 +281,15 @@ mod tests {
             "reflection_level=-1",
             "refraction_level=1.5",
             "inv_normal=maybe",
+            "inv_normal=1",
+            "u=.5",
+            "u=0x1",
+            "u=1e39",
+            "u=1,2",
+            "reflection_level=+1",
+            "reflection_level=4294967297",
+            "incoming=1,1",
+            "incoming=1,1,1,1,1",
             "light_direction=0,0,1",
         ] {
             let Ok(assignment) = assignment(text) else { continue };
@@ -252,6 +297,17 @@ mod tests {
             assert!(failure.to_string().contains(text), "{failure}");
             assert!(!failure.help().is_empty(), "{text}");
         }
+        let told = |text: &str, part: &str| {
+            let error = read(&[text]).unwrap_err();
+            assert!(error.contains(part), "{text}: {error}");
+        };
+        told("normal=0,0", "three numbers are needed, and 2 are given");
+        told("point=1", "three numbers are needed, and 1 is given");
+        told("incoming=1,1", "one, three or four numbers are needed, and 2 are given");
+        told("u=1,2", "one number is needed, and 2 are given");
+        told("point=0,.5,0", "`.5`: write 0.5");
+        told("reflection_level=1.5", "a whole number is needed");
+        assert_eq!(read(&["reflection_level=2e0"]).unwrap().0.reflection_level, 2);
         assert!(read(&["norml=0,0,1"]).unwrap_err().contains("did you mean `normal`?"));
         assert!(read(&["u=1", "u=2"]).unwrap_err().contains("twice"));
     }

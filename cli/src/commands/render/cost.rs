@@ -1,6 +1,6 @@
 //! What a rendering cost, in a line and as JSON.
 
-use phenomenon_runtime::render::{Settings, Statistics};
+use phenomenon_runtime::render::{Region, Settings, Statistics};
 use serde_json::{Map, json};
 
 use crate::arguments::EngineChoice;
@@ -10,6 +10,8 @@ use crate::arguments::EngineChoice;
 pub struct Cost {
     pub engine: EngineChoice,
     pub settings: Settings,
+    /// The part of the picture that was rendered, if not all of it.
+    pub region: Option<Region>,
     pub statistics: Statistics,
     /// Points shaded, by the engine that shaded them.
     pub points: Vec<(&'static str, u64)>,
@@ -22,9 +24,13 @@ impl Cost {
     /// One line.
     pub fn summary(&self) -> String {
         let Settings { width, height, samples, .. } = self.settings;
+        let part = self.region.map_or(String::new(), |region| {
+            let Region { x, y, width, height } = region;
+            format!("{width}x{height} at {x},{y} of ")
+        });
         let plural = if samples == 1 { "" } else { "s" };
         format!(
-            "{width}x{height}, {samples} sample{plural}, engine {}, {:.2} s ({:.2} s shading), {} rays",
+            "{part}{width}x{height}, {samples} sample{plural}, engine {}, {:.2} s ({:.2} s shading), {} rays",
             self.engine.name(),
             self.render_milliseconds / 1e3,
             self.statistics.shading_milliseconds / 1e3,

@@ -8,9 +8,10 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use clap::{Args, ValueHint};
+use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::film;
-use phenomenon_runtime::render::{Rendered, Settings};
+use phenomenon_runtime::render::{Region, RenderError, Rendered, Settings, render_region};
 use phenomenon_runtime::scene::SceneOptions;
 
 use self::cost::Cost;
@@ -32,9 +33,17 @@ pub struct Arguments {
     #[command(flatten)]
     engine: EngineArguments,
 
+    /// Show the graph in this scene, in place of its `{ "subject": true }`, and not in the default one
+    #[arg(long, value_name = "STAGE.json")]
+    scene: Option<PathBuf>,
+
     /// Width and height in pixels; otherwise as the scene says
     #[arg(long, value_name = "WxH", value_parser = arguments::size, allow_hyphen_values = true)]
     size: Option<Size>,
+
+    /// Render this part alone: the same pixels, in a file of its size
+    #[arg(long, value_name = "X,Y,W,H", value_parser = arguments::region, allow_hyphen_values = true)]
+    region: Option<Region>,
 
     /// Samples of every pixel; otherwise as the scene says
     #[arg(long, value_name = "N", value_parser = arguments::samples, allow_hyphen_values = true)]
@@ -48,11 +57,12 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = arguments::seed, allow_hyphen_values = true)]
     seed: Option<u64>,
 
-    /// Give a parameter of the graph another value than its default; may be repeated
+    /// Give a parameter another value; in a scene OBJECT:NAME=VALUE; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = arguments::assignment)]
     set: Vec<Assignment>,
 
-    /// Show this node of the graph: a vector as red, green and blue, a truth value as white or black
+    /// Show this node of the graph, a vector as red, green and blue, a truth value as white or black;
+    /// in a scene OBJECT:NODE
     #[arg(long, value_name = "NODE[.OUTPUT]", value_parser = arguments::node_path)]
     node: Option<NodePath>,
 
@@ -71,6 +81,10 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE.json", value_hint = ValueHint::FilePath)]
     stats: Option<PathBuf>,
 
+    /// Say nothing of findings with this code that are no errors; may be repeated
+    #[arg(long, value_name = "CODE", value_parser = arguments::allowable)]
+    allow: Vec<Code>,
+
     /// Say nothing but what is wrong
     #[arg(long)]
     quiet: bool,
@@ -80,11 +94,17 @@ const EXAMPLES: &str = "\
 PNG is sRGB-encoded; EXR and HDR keep scene-linear values. The picture depends on the file, size,
 samples, seed and parameters alone: engine (but monolith), threads, batch and simd change no bit.
 
+Values count in this order: --set, `set` in the scene, the default of the parameter. In a scene,
+OBJECT is the name of an object, `objects[2]`, or `environment`. Numbers are written as in files
+(0.5, not .5), arrays and structs as well: --set 'layers=[…]', or part by part: layers[2].tint=1,0,0.
+
 Examples:
   phenomenon render graphs/glass/advanced_glass.json
   phenomenon render graphs/glass/advanced_glass.json --set ior=1.3 --size 256x256 --spp 64 -o glass.exr
   phenomenon render graphs/glass/advanced_glass.json --node facing --engine walk -o facing.png
-  phenomenon render scenes/teapot.json --threads 2 --stats teapot-stats.json";
+  phenomenon render scenes/teapot.json --threads 2 --stats teapot-stats.json
+  phenomenon render scenes/teapot.json --set floor:size=2 --node teapot:cosine --region 128,128,64,64
+  phenomenon render graphs/glass/advanced_glass.json --scene scenes/default.json";
 
 /// Runs the command.
 ///
@@ -101,7 +121,12 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let outputs: Vec<Output<'_>> = std::iter::once(picture_file).chain(stats).collect();
     outputs.iter().try_for_each(|output| output.require_writable())?;
     let library = Arc::new(NodeLibrary::standard());
-    let change = Change { set: &arguments.set, node: arguments.node.as_ref() };
+    let change = Change {
+        set: &arguments.set,
+        node: arguments.node.as_ref(),
+        stage: arguments.scene.as_deref(),
+        allow: &arguments.allow,
+    };
     let picture = scenes::load(&arguments.file, &library, &arguments.engine, &change)?;
     outputs::require_apart(&outputs)?;
     let is_named = arguments.output.is_none();
@@ -110,10 +135,11 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let settings = settings(arguments, &picture);
     let start = Instant::now();
-    let rendered = render(&picture, &settings, arguments.quiet)?;
+    let rendered = render(&picture, &settings, arguments)?;
     let cost = Cost {
         engine: arguments.engine.engine,
         settings,
+        region: arguments.region,
         statistics: rendered.statistics,
         points: picture.points(arguments.engine.engine, rendered.statistics.points),
         check_milliseconds: picture.check_milliseconds,
@@ -146,13 +172,29 @@ fn settings(arguments: &Arguments, picture: &Picture) -> Settings {
     }
 }
 
-fn render(picture: &Picture, settings: &Settings, quiet: bool) -> Result<Rendered, Failure> {
-    let bar = terminal::progress("tiles", quiet);
-    let rendered = phenomenon_runtime::render::render(&picture.scene, settings, &|done, total| {
+fn render(
+    picture: &Picture,
+    settings: &Settings,
+    arguments: &Arguments,
+) -> Result<Rendered, Failure> {
+    let bar = terminal::progress("tiles", arguments.quiet);
+    let progress = |done: usize, total: usize| {
         bar.set_length(total as u64);
         bar.set_position(done as u64);
-    });
+    };
+    let rendered = match arguments.region {
+        Some(region) => render_region(&picture.scene, settings, region, &progress),
+        None => phenomenon_runtime::render::render(&picture.scene, settings, &progress),
+    };
     bar.finish_and_clear();
-    rendered
-        .map_err(|error| Failure::new(error, "choose other values for --size, --spp or --threads"))
+    rendered.map_err(|error| match error {
+        RenderError::Region { .. } => {
+            let help = format!(
+                "X + W is at most {}, and Y + H at most {}; --size changes that",
+                settings.width, settings.height
+            );
+            Failure::new(format!("--region: {error}"), help)
+        }
+        error => Failure::new(error, "choose other values for --size, --spp or --threads"),
+    })
 }

@@ -1,0 +1,110 @@
+//! What only shows when a graph is put to use: pictures that cannot be decoded, programs that grow
+//! too large. `check` looks for it; `render` and `eval` say with its help where it is.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use phenomenon_compiler::check::Files;
+use phenomenon_compiler::diagnostics::{Code, Finding, Place};
+use phenomenon_compiler::document::Document;
+use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
+use phenomenon_compiler::graph::{Graph, RootKind};
+use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+use phenomenon_compiler::specialise::SpecialiseError;
+use phenomenon_runtime::texture;
+
+/// Files whose pictures are decoded, to see whether they can be; each once.
+pub struct DecodedPictures<'f> {
+    files: &'f dyn Files,
+    known: RefCell<HashMap<PathBuf, Option<(Code, String)>>>,
+}
+
+impl<'f> DecodedPictures<'f> {
+    /// Those of `files`.
+    pub fn of(files: &'f dyn Files) -> Self {
+        Self { files, known: RefCell::default() }
+    }
+}
+
+impl Files for DecodedPictures<'_> {
+    fn read(&self, path: &Path) -> Result<Document, Box<Finding>> {
+        self.files.read(path)
+    }
+
+    fn identity(&self, path: &Path) -> PathBuf {
+        self.files.identity(path)
+    }
+
+    fn unusable(&self, path: &Path) -> Option<String> {
+        self.files.unusable(path)
+    }
+
+    fn unusable_picture(&self, path: &Path) -> Option<(Code, String)> {
+        let mut known = self.known.borrow_mut();
+        let found = known.entry(path.to_owned()).or_insert_with(|| {
+            self.files.unusable_picture(path).or_else(|| {
+                texture::unusable(path).map(|error| (Code::UNUSABLE_FILE, error.to_string()))
+            })
+        });
+        found.clone()
+    }
+}
+
+/// Why a graph cannot be compiled with these values, as findings in its file.
+pub fn uncompilable(
+    graph: &Graph,
+    library: &Arc<NodeLibrary>,
+    values: &[(String, Literal)],
+    document: &Document,
+) -> Vec<Finding> {
+    let compiled = |graph: Graph| {
+        // Every engine starts from what the walk runs.
+        let kinds: &'static [RootKind] = &RootKind::ALL;
+        let options = Options { engine: Engine::Walk, roots: kinds, ..Options::default() };
+        Shader::new(Arc::new(graph), Arc::clone(library), values, options)
+    };
+    if compiled(graph.clone()).is_ok() {
+        return Vec::new();
+    }
+    let mut findings: Vec<Finding> = Vec::new();
+    for root in &graph.roots {
+        let mut alone = graph.clone();
+        alone.roots.retain(|other| other.kind == root.kind);
+        let Err(ShaderError::Specialise(error)) = compiled(alone) else { continue };
+        let finding = finding(&error, root.kind, document);
+        // Two roots that share what grows too large have one mistake.
+        if findings.iter().all(|known| known.place != finding.place) {
+            findings.push(finding);
+        }
+    }
+    findings
+}
+
+fn finding(error: &SpecialiseError, root: RootKind, document: &Document) -> Finding {
+    let (SpecialiseError::TooManyInstances { node, .. }
+    | SpecialiseError::TooManyLoops { node, .. }
+    | SpecialiseError::Inconsistent { node, .. }) = error;
+    let told = error.to_string();
+    let (message, help) = told.rsplit_once("; ").unwrap_or((&told, ""));
+    let roots = document.root.get("roots");
+    let called = roots.and_then(|roots| roots.get(root.name())).map(|it| document.place(it));
+    let place = place_of_node(document, node).or(called.clone());
+    let place = place.unwrap_or_else(|| document.place(roots.unwrap_or(&document.root)));
+    let finding = Finding::new(Code::TOO_MANY_EVALUATIONS, place, message, help);
+    match called {
+        Some(called) if called != finding.place => {
+            finding.with_related(called, "evaluated for this root")
+        }
+        _ => finding,
+    }
+}
+
+/// Where a node stands; one of a phenomenon in the graph stands where that is used.
+fn place_of_node(document: &Document, node: &str) -> Option<Place> {
+    let name = node.split('/').next()?;
+    let nodes = document.root.get("nodes")?;
+    let member = nodes.members().iter().find(|member| member.key == name)?;
+    Some(document.place_of_key(member))
+}
