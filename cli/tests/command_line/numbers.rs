@@ -239,7 +239,7 @@ fn strings_are_taken_as_they_stand_and_wholes_as_json() {
         ("layers=[1,2]", "3 values, but 2 are given"),
         ("layers[0]={\"struct\":{\"k\":\"1\"}}", "takes a scalar, not the string"),
         ("x[0]=1", "`x` is one value"),
-        ("x=[1", "never closed"),
+        ("x=[1", "add the missing `]`"),
         ("mode=ruogh", "`smooth` and `rough`"),
     ] {
         refused(&["eval", &graph, "--set", set], &["--set", part]);
