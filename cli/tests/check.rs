@@ -293,7 +293,7 @@ fn scenes_are_checked_with_their_graphs() {
   "objects": [{{ "sphere": {{ "radius": 1 }}, "material": {{ "file": "lamps.json"{set} }} }}] }}"#
         )
     };
-    let broken = scene(r#", "set": { "lmaps": [{ "light": "key" }, { "light": "kye" }] }"#);
+    let broken = scene(r#", "set": { "lmaps": [{ "light": "key" }, { "light": "sun" }] }"#);
     std::fs::write(&path, &broken).unwrap();
     assert_eq!(codes(1), ["unknown-parameter"], "the default light may not have been meant");
     run(&["check", "--fix", name], None, 1);
