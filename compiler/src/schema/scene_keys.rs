@@ -152,6 +152,12 @@ pub static OBJECT: Section = Section {
             "How a mesh is shaded: with the normals of its file, smoothed over its vertices where the file has none; or with those of its faces. It changes nothing else of a scene",
         ),
         key(
+            "shadow_terminator",
+            Kind::Word(&["smooth", "facets"]),
+            Given::Default("\"smooth\""),
+            "Where a mesh with normals ends in its own shadow: where the round surface would that the normals describe, or where its facets do",
+        ),
+        key(
             "transform",
             Kind::Object(&TRANSFORM),
             Given::Optional,

@@ -11,7 +11,7 @@ use phenomenon_compiler::graph::RootKind;
 use super::build::{Scene, SceneBuilder, SceneError};
 use super::depth::TraceDepth;
 use crate::camera::Camera;
-use crate::geometry::{Mesh, Transform};
+use crate::geometry::{Mesh, ShadowTerminator, Transform};
 use crate::lights::{Environment, Light};
 
 /// A scene as its file describes it.
@@ -63,6 +63,8 @@ pub struct ObjectDescription {
     pub transform: Transform,
     /// What it is made of.
     pub material: MaterialRef,
+    /// Where its own shadow ends, if it is a mesh with normals.
+    pub terminator: ShadowTerminator,
 }
 
 /// The shape of an object.
@@ -182,7 +184,9 @@ impl SceneDescription {
                 ShapeDescription::Sphere { center, radius } => {
                     builder.sphere(*center, *radius, transform, material)
                 }
-                ShapeDescription::Mesh(mesh) => builder.mesh(mesh, transform, material),
+                ShapeDescription::Mesh(mesh) => {
+                    builder.mesh_with(mesh, transform, material, object.terminator)
+                }
             };
             if let Err(source) = added {
                 return Err(BuildError::Object { object: object.name.clone(), source });

@@ -20,7 +20,7 @@ use super::description::{
 use super::file::{section, vector};
 use super::foreign;
 use super::meshes::Meshes;
-use crate::geometry::{Mesh, Normals, Transform};
+use crate::geometry::{Mesh, Normals, ShadowTerminator, Transform};
 
 pub(super) fn objects<'d>(
     reader: &mut Reader<'d>,
@@ -67,6 +67,11 @@ fn object<'d>(
         reader.string(value, "`doc`");
     }
     let shape = shape(reader, &object, folder, meshes);
+    let ends = [("smooth", ShadowTerminator::Smooth), ("facets", ShadowTerminator::Facets)];
+    let terminator = match object.optional("shadow_terminator") {
+        Some(value) => reader.choice(value, "`shadow_terminator`", &ends),
+        None => Some(ShadowTerminator::default()),
+    };
     let transform = match object.optional("transform") {
         Some(value) => transform(reader, value),
         None => Some(Transform::default()),
@@ -91,7 +96,8 @@ fn object<'d>(
         return None;
     }
     let name = name.map_or(Some(kind), |name| name)?.to_owned();
-    Some(ObjectDescription { name, shape, transform, material: material? })
+    let (material, terminator) = (material?, terminator?);
+    Some(ObjectDescription { name, shape, transform, material, terminator })
 }
 
 fn shape<'d>(
