@@ -5,7 +5,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, Error};
 
 /// What others call a flag of ours, and how it is written here.
-const SYNONYMS: [(&str, &[&str], &str); 11] = [
+const SYNONYMS: [(&str, &[&str], &str); 13] = [
     ("spp", &["samples", "sample", "sample-count", "aa", "aa-samples"], "--spp N"),
     ("o", &["output", "out", "outfile", "output-file"], "-o FILE"),
     (
@@ -17,6 +17,8 @@ const SYNONYMS: [(&str, &[&str], &str); 11] = [
     ("threads", &["thread", "jobs", "cores", "j", "t"], "--threads N"),
     ("engine", &["backend", "renderer", "mode"], "--engine NAME"),
     ("stats", &["statistics", "stat", "report"], "--stats FILE.json"),
+    ("region", &["crop", "border", "window", "roi"], "--region X,Y,W,H"),
+    ("scene", &["stage"], "--scene STAGE.json"),
     ("seed", &["random-seed", "rng-seed"], "--seed N"),
     ("quiet", &["silent", "q", "no-progress"], "--quiet"),
     ("tolerance", &["threshold", "epsilon", "max-rms"], "--tolerance RMS"),

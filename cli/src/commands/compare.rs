@@ -84,8 +84,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let comparison = film::compare(&a, &b).map_err(refused)?;
     if let Some(output) = output {
         let picture = film::difference_picture(&a, &b).map_err(refused)?;
-        let picture = film::encode(&picture, output.path, 1.0)
-            .map_err(|error| Failure::new(error, "name another file with -o"))?;
+        let picture = film::encode(&picture, output.path, 1.0).map_err(|error| {
+            let help = error.help();
+            Failure::new(error, help)
+        })?;
         output.write(picture)?;
     }
     let within = comparison.not_finite == 0

@@ -147,6 +147,10 @@ fn graphs_follow_their_textures() {
     let picture = phenomenon_runtime::film::Film::new(2, 2).unwrap();
     phenomenon_runtime::film::write(&picture, &wood, 1.0).unwrap();
     assert!(editor.changed(&[(&wood, MADE)], 1)["g.json"].is_empty());
+    let bytes = std::fs::read(&wood).unwrap();
+    std::fs::write(&wood, &bytes[..bytes.len() / 2]).unwrap();
+    let cut = editor.changed(&[(&wood, CHANGED)], 1);
+    assert_eq!(cut["g.json"][0]["code"], "unusable-file");
     std::fs::remove_file(&wood).unwrap();
     assert_eq!(editor.changed(&[(&wood, REMOVED)], 1)["g.json"].len(), 1);
     editor.end();

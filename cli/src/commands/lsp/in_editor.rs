@@ -5,8 +5,9 @@ use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 
 use phenomenon_compiler::check::{Files, OnDisk};
-use phenomenon_compiler::diagnostics::Finding;
+use phenomenon_compiler::diagnostics::{Code, Finding};
 use phenomenon_compiler::document::{self, Document};
+use phenomenon_runtime::scene::Assets;
 
 use super::address::names_of;
 
@@ -16,6 +17,8 @@ pub struct InEditor<'a> {
     /// Texts by every path of their files.
     texts: BTreeMap<PathBuf, &'a str>,
     used: RefCell<HashSet<PathBuf>>,
+    /// What is remembered of pictures; without it they are not looked into.
+    assets: Option<&'a Assets>,
     /// The folder of the file that is checked, as findings name it, and as it is, where the two differ: names are
     /// Unicode, paths need not be.
     folder: Option<(PathBuf, PathBuf)>,
@@ -23,11 +26,16 @@ pub struct InEditor<'a> {
 
 impl<'a> InEditor<'a> {
     /// For the file at `path`, with these texts.
-    pub fn new(path: &Path, texts: impl Iterator<Item = (PathBuf, &'a str)>) -> Self {
+    pub fn new(
+        path: &Path,
+        texts: impl Iterator<Item = (PathBuf, &'a str)>,
+        assets: &'a Assets,
+    ) -> Self {
         let real = path.parent().unwrap_or(Path::new("")).to_owned();
         let named = PathBuf::from(real.display().to_string());
         let folder = (named != real).then_some((named, real));
-        Self { texts: texts.collect(), used: RefCell::default(), folder }
+        let (texts, assets) = (texts.collect(), Some(assets));
+        Self { texts, used: RefCell::default(), assets, folder }
     }
 
     /// Every path of the files that were asked for.
@@ -62,5 +70,16 @@ impl Files for InEditor<'_> {
 
     fn unusable(&self, path: &Path) -> Option<String> {
         OnDisk.unusable(&self.used_path(path))
+    }
+
+    fn unusable_picture(&self, path: &Path) -> Option<(Code, String)> {
+        let path = self.used_path(path);
+        match self.assets {
+            Some(assets) => {
+                let unusable = assets.unusable_picture(&path)?;
+                Some((unusable.code, unusable.message))
+            }
+            None => OnDisk.unusable_picture(&path),
+        }
     }
 }

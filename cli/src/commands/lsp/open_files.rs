@@ -87,7 +87,7 @@ impl OpenFiles {
             .files
             .values()
             .flat_map(|file| file.names.iter().map(move |name| (name.clone(), file.text())));
-        let in_editor = InEditor::new(&path_of(uri), texts);
+        let in_editor = InEditor::new(&path_of(uri), texts, &self.assets);
         let file = OpenFile::read(uri, text, before, library, &in_editor, &self.assets);
         let findings = file.diagnostics();
         self.files.insert(uri.to_owned(), file);

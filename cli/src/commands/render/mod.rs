@@ -146,8 +146,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         compile_milliseconds: picture.compile_milliseconds(),
         render_milliseconds: start.elapsed().as_secs_f64() * 1e3,
     };
-    let bytes = film::encode(&rendered.film, &output, arguments.exposure)
-        .map_err(|error| Failure::new(error, "name another file with -o"))?;
+    let bytes = film::encode(&rendered.film, &output, arguments.exposure).map_err(|error| {
+        let help = error.help();
+        Failure::new(error, help)
+    })?;
     picture_file.write(if is_named { named::marked(bytes) } else { bytes })?;
     if let Some(stats) = stats {
         stats.write(cost.json())?;
