@@ -4,14 +4,14 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use phenomenon_compiler::check::read_graph_file;
+use phenomenon_compiler::check::{OnDisk, read_graph_file};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shader, Simd};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::{Literal, NodeLibrary};
 use phenomenon_runtime::film;
 use phenomenon_runtime::monoliths;
 use phenomenon_runtime::render::{Rendered, Settings, render};
-use phenomenon_runtime::scene::{MaterialRef, MaterialSource, Scene, read_scene};
+use phenomenon_runtime::scene::{MaterialRef, MaterialSource, Scene, read_scene, settings};
 
 const GRAPHS: [&str; 3] = [
     "graphs/constant/constant_simple.json",
@@ -52,11 +52,8 @@ fn scene(
     let material = |material: &MaterialRef| -> Result<Arc<dyn Shade>, std::convert::Infallible> {
         let MaterialSource::File(path) = &material.source else { panic!("no subject is left") };
         let graph = read_graph_file(path, &library).graph.unwrap();
-        let values: Vec<(String, Literal)> = material
-            .set
-            .iter()
-            .map(|set| (set.name.clone(), graph.bind(&set.name, &set.text).unwrap()))
-            .collect();
+        let (values, findings) = settings(material, &graph, &OnDisk);
+        assert!(findings.is_empty(), "{findings:?}");
         Ok(shader(graph, &values))
     };
     file.scene.unwrap().build(material).unwrap()
