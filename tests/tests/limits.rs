@@ -14,7 +14,7 @@ use phenomenon_compiler::check::{
     Checked, MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_PARTS, MAX_SHADERS,
     check_graph, read_graph_file,
 };
-use phenomenon_compiler::diagnostics::{KEPT_FINDINGS, SHOWN_FINDINGS};
+use phenomenon_compiler::diagnostics::{KEPT_FINDINGS, SHOWN_FINDINGS, grouped};
 use phenomenon_compiler::document::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES, read};
 use phenomenon_compiler::engine::{Engine, Options, Shader};
 use phenomenon_compiler::graph::Graph;
@@ -152,19 +152,6 @@ fn the_page_of_limits_is_in_sync() {
     }
     let checked_in = std::fs::read_to_string(&path).unwrap_or_default();
     assert!(checked_in == page, "docs/limits.md differs; write it anew as this file says:\n{page}");
-}
-
-/// A number with a comma between thousands.
-fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 fn check(text: &str) -> Checked {

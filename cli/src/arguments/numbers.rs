@@ -24,7 +24,9 @@ where
 
 /// What is wanted, and how it is written where something near was given.
 fn nearly(text: &str, wanted: String) -> String {
-    match numbers::nearest_number(text) {
+    // A number that is written as it should be is refused for its size.
+    let near = numbers::nearest_number(text).filter(|_| numbers::double(text.trim()).is_none());
+    match near {
         Some(number) => format!("{wanted}; write {number}"),
         None => wanted,
     }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::ValueHint;
-use phenomenon_compiler::document::{Document, MAX_FILE_BYTES, canonical};
+use phenomenon_compiler::document::{Document, MAX_FILE_BYTES, all_mistakes, canonical};
 
 use crate::difference;
 use crate::failure::{Failure, Outcome};
@@ -61,7 +61,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Err(finding) if input.in_folder && inputs::is_foreign_text(&finding) => continue,
             Err(finding) => {
                 looked_at += 1;
-                report::tell(&[*finding], 0);
+                report::tell(&all_mistakes(*finding), 0);
                 outcome = Outcome::Unreadable;
                 continue;
             }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Command, ValueHint};
 use clap_mangen::Man;
-use phenomenon_compiler::document::nearest;
+use phenomenon_compiler::document::{nearest, open_file};
 
 use crate::failure::{Failure, Outcome};
 use crate::outputs::Output;
@@ -89,9 +89,31 @@ fn write(folder: &Path, pages: &[(String, String)]) -> Result<(), Failure> {
     std::fs::create_dir_all(folder).map_err(|error| {
         Failure::new(format!("-o {}: {error}", folder.display()), "name another folder")
     })?;
-    for (name, page) in pages {
-        let path = folder.join(format!("{name}.1"));
-        Output { flag: "-o", path: &path }.write(page)?;
+    let paths: Vec<PathBuf> =
+        pages.iter().map(|(name, _)| folder.join(format!("{name}.1"))).collect();
+    paths.iter().try_for_each(|path| require_own(path))?;
+    for ((_, page), path) in pages.iter().zip(&paths) {
+        let path = path.as_path();
+        Output { flag: "-o", path }.write(page)?;
     }
     Ok(())
 }
+
+/// Fails where something is under the name that is no page of an earlier run: the names were not
+/// chosen by whoever gave the folder.
+fn require_own(path: &Path) -> Result<(), Failure> {
+    use std::io::Read;
+    // What cannot be opened is told of when it is written.
+    let Ok((file, _)) = open_file(path) else { return Ok(()) };
+    let mut start = Vec::new();
+    file.take(4096).read_to_end(&mut start)?;
+    let is_own = String::from_utf8_lossy(&start).lines().any(|line| line.starts_with(TITLE));
+    if is_own {
+        return Ok(());
+    }
+    let message = format!("-o: {} is no manual page of this program", path.display());
+    Err(Failure::new(message, "name another folder, or move the file away"))
+}
+
+/// How the line of a page that names it begins.
+const TITLE: &str = ".TH phenomenon";

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use phenomenon_compiler::check::{OnDisk, check_graph, check_graph_with};
 use phenomenon_compiler::diagnostics::{Finding, Place, Severity};
-use phenomenon_compiler::document::{Document, read, read_file};
+use phenomenon_compiler::document::{Document, all_mistakes, read, read_file};
 use phenomenon_compiler::engine::{Options, Shade, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::{Literal, NodeLibrary};
@@ -165,7 +165,7 @@ impl Materials<'_> {
             None => read_file(path),
         };
         let document = document.map_err(|finding| {
-            self.told.tell(&[*finding], 0);
+            self.told.tell(&all_mistakes(*finding), 0);
             graphs::unusable(path)
         })?;
         let graph = self.told.checked(path, check_graph(&document, self.library))?;

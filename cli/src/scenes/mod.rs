@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::diagnostics::Code;
-use phenomenon_compiler::document::Document;
+use phenomenon_compiler::document::{Document, all_mistakes};
 use phenomenon_compiler::engine::Shader;
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -140,7 +140,7 @@ pub fn load(
 
 fn opened(path: &Path, told: Told<'_>) -> Result<Document, Failure> {
     inputs::read(path).map_err(|finding| {
-        told.tell(&[*finding], 0);
+        told.tell(&all_mistakes(*finding), 0);
         graphs::unusable(path)
     })
 }

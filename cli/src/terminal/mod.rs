@@ -1,7 +1,7 @@
 //! Standard output, standard error and the progress bar.
 //!
 //! Names, paths and values come from files of strangers, and a terminal obeys what it is sent. So text for people goes
-//! through [`print`] or [`tell`], which show what cannot be seen as escapes; files for programs go through
+//! through [`print()`] or [`tell`], which show what cannot be seen as escapes; files for programs go through
 //! [`print_exactly`].
 
 mod escape;

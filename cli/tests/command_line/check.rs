@@ -69,3 +69,39 @@ fn fixing_mends_what_is_sure() {
     let mended = std::fs::read_to_string(&misspelt).unwrap();
     assert_eq!(mended, MISSPELT.replace("lambrt", "mix"));
 }
+
+#[test]
+fn formats_are_named_as_they_are_written() {
+    let folder = Folder::new();
+    for (format, said) in
+        [("2", "format 2"), ("1e99", "format 1e99"), ("0", "1 to 1"), ("1.5", "whole")]
+    {
+        let text = format!(
+            r#"{{ "format": {format}, "phenomenon": "g", "roots": {{ "material": [1, 1, 1] }} }}"#
+        );
+        let found = run(&["check", &folder.file("g.json", text)]);
+        assert_eq!(found.code, Some(1), "{format}");
+        assert!(found.output.contains(said), "{format}: {}", found.output);
+    }
+}
+
+#[test]
+fn a_file_is_looked_at_once_and_a_scenes_graph_told_whole() {
+    let folder = Folder::new();
+    let broken = folder.file(
+        "g.json",
+        r#"{ "phenomenon": "g", "version": 01, "roots": { "material": [.5, +1, 0] } }"#,
+    );
+    let again = folder.path("./g.json");
+    let found = run(&["check", &broken, &again]);
+    assert_eq!(found.output.matches("error[syntax]").count(), 3, "{}", found.output);
+    let scene = folder.file(
+        "s.json",
+        r#"{ "scene": "s", "camera": { "position": [0, 0, 5], "look_at": [0, 0, 0] },
+          "objects": [{ "sphere": { "radius": 1 }, "material": { "file": "g.json" } }] }"#,
+    );
+    let found = run(&["check", &scene]);
+    assert_eq!(found.output.matches("error[syntax]").count(), 3, "{}", found.output);
+    let refusal = run(&["render", &scene, "-o", &folder.path("p.png")]);
+    assert_eq!(refusal.complaint.matches("error[syntax]").count(), 3, "{}", refusal.complaint);
+}

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::program::{Folder, printed, refused};
+use crate::program::{Folder, printed, refused, run};
 
 /// The commands that `--help` lists.
 fn commands() -> BTreeSet<String> {
@@ -83,4 +83,17 @@ fn flags_of_other_programs_are_explained() {
     );
     let run = crate::program::run(&["render", graph, "--sizes", "4x4"]);
     assert!(run.complaint.contains("'--size'"), "{}", run.complaint);
+}
+
+#[test]
+fn pages_replace_pages_alone() {
+    let folder = Folder::new();
+    let pages = folder.path("pages");
+    printed(&["man", "-o", &pages]);
+    printed(&["man", "-o", &pages]);
+    let mine = folder.file("pages/phenomenon-render.1", "mine");
+    let refusal = run(&["man", "-o", &pages]);
+    assert_eq!(refusal.code, Some(2), "{refusal:?}");
+    assert!(refusal.complaint.contains("phenomenon-render.1"), "{}", refusal.complaint);
+    assert_eq!(std::fs::read_to_string(mine).unwrap(), "mine");
 }

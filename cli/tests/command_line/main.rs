@@ -14,5 +14,6 @@ mod readme;
 mod render;
 mod scenes;
 mod show;
+mod sizes;
 mod terminal;
 mod usage;

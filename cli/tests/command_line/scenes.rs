@@ -294,3 +294,31 @@ fn what_is_no_error_can_be_silenced() {
     }
     refused(&["check", &graph, "--allow", "cycle"], &["--allow", "cycle", "unreachable-node"]);
 }
+
+#[test]
+fn what_32_bits_leave_nothing_of_is_found() {
+    let folder = Folder::new();
+    folder.file("white.json", r#"{ "phenomenon": "white", "roots": { "material": [1, 1, 1] } }"#);
+    let scene = |object: &str, light: &str| {
+        format!(
+            r#"{{ "scene": "s", "camera": {{ "position": [0, 3, 3], "look_at": [0, 0, 0] }},
+              "objects": [{{ {object}, "material": {{ "file": "white.json" }} }}],
+              "lights": [{{ "name": "sun", "directional": {{ "direction": {light} }} }}] }}"#
+        )
+    };
+    let near = r#""rectangle": { "width": 1, "depth": 1 }"#;
+    let far = format!(r#"{near}, "transform": {{ "translate": [1e12, 0, 0] }}"#);
+    let good = folder.file("good.json", scene(near, "[0, -1e-30, 0]"));
+    assert_eq!(run(&["check", &good]).code, Some(0));
+    for (name, text, said) in [
+        ("far.json", scene(&far, "[0, -1, 0]"), "no area left in 32 bits"),
+        ("dark.json", scene(near, "[0, -1e-60, 0]"), "a direction that is not zero"),
+    ] {
+        let path = folder.file(name, text);
+        let found = run(&["check", &path]);
+        assert_eq!(found.code, Some(1), "{name}: {found:?}");
+        let words: Vec<&str> = found.output.split(['\n', '│']).map(str::trim).collect();
+        assert!(words.join(" ").contains(said), "{name}: {}", found.output);
+        assert_eq!(run(&["render", &path, "-o", &folder.path("p.png")]).code, Some(2), "{name}");
+    }
+}

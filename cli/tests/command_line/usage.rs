@@ -72,3 +72,13 @@ fn paths_need_not_be_text() {
     assert!(!String::from_utf8_lossy(&output.stderr).contains("panicked"));
     assert_eq!(run(&["compare", "", ""]).code, Some(2));
 }
+
+#[test]
+fn a_number_of_the_right_form_and_the_wrong_size_gets_no_advice_on_form() {
+    let refusal = run(&["compare", "a.png", "b.png", "--tolerance=-1"]);
+    assert_eq!(refusal.code, Some(2));
+    assert!(refusal.complaint.contains("0 or more"), "{}", refusal.complaint);
+    assert!(!refusal.complaint.contains("write -1"), "{}", refusal.complaint);
+    let refusal = run(&["compare", "a.png", "b.png", "--tolerance=.5"]);
+    assert!(refusal.complaint.contains("write 0.5"), "{}", refusal.complaint);
+}

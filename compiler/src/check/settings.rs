@@ -78,6 +78,7 @@ pub fn bind_settings(
     let mut values = Vec::new();
     let mut findings = Vec::new();
     let mut given = HashSet::new();
+    let mut strangers = 0;
     for setting in settings {
         let before = values.len();
         // Keys that stand twice were told of when the file was read.
@@ -88,7 +89,10 @@ pub fn bind_settings(
                 let mut spread = Spread { graph, parts: &parts, values: &mut values };
                 spread.read(&mut reader, &setting.name, &document.root);
             }
-            None => reader.findings.push(unknown(graph, &parts, setting)),
+            None => {
+                strangers += 1;
+                reader.findings.push(unknown(graph, &parts, setting, strangers <= ADVISED));
+            }
         }
         let mut names = values[before..].iter().map(|(name, _)| name);
         if let Some(twice) = names.find(|name| !given.insert((*name).clone())) {
@@ -143,9 +147,16 @@ pub fn bind_text(
     }
 }
 
-fn unknown(graph: &Graph, parts: &Parts<'_>, setting: &Setting) -> Finding {
+/// Most names no parameter has that are compared with all there are: beyond, it is no slip.
+const ADVISED: usize = 64;
+
+fn unknown(graph: &Graph, parts: &Parts<'_>, setting: &Setting, is_advised: bool) -> Finding {
     let name = &setting.name;
     let message = format!("`{}` has no parameter `{}`", graph.name, shortened(name));
+    if !is_advised {
+        let help = "so many are unknown that it may be another graph's; leave it out";
+        return Finding::new(Code::UNKNOWN_PARAMETER, setting.key.clone(), message, help);
+    }
     let mut finding =
         Finding::new(Code::UNKNOWN_PARAMETER, setting.key.clone(), message, parts.remedy(name));
     finding.fix = nearest(name, parts.names())

@@ -2,6 +2,7 @@
 //! decides how to show them.
 
 mod codes;
+mod digits;
 mod documentation;
 mod escape;
 mod finding;
@@ -11,6 +12,7 @@ mod source;
 pub mod synonyms;
 
 pub use codes::{Code, Explanation};
+pub use digits::grouped;
 pub use documentation::documentation;
 pub use escape::escaped;
 pub use finding::{Finding, Related, Severity};

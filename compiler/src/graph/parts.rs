@@ -73,7 +73,7 @@ impl<'g> Parts<'g> {
         }
         // As far as the name is right, what it names says what could follow.
         let ends = name.match_indices(['.', '[']).map(|(end, _)| end);
-        let known = ends.filter_map(|end| Some((end, self.get(&name[..end])?))).last();
+        let known = ends.filter_map(|end| Some((end, self.get(&name[..end])?))).next_back();
         if let Some((end, part)) = known {
             return beyond(&name[..end], part, &name[end..]);
         }

@@ -3,6 +3,8 @@
 
 use std::ops::RangeInclusive;
 
+use crate::diagnostics::grouped;
+
 /// An object of a file, with the keys it may have.
 #[derive(Debug)]
 pub struct Section {
@@ -136,7 +138,9 @@ impl Kind {
     /// The range of its numbers as text; empty where it has none.
     pub fn range(&self) -> String {
         match self {
-            Kind::Whole(range) => format!("{} to {}", whole(*range.start()), whole(*range.end())),
+            Kind::Whole(range) => {
+                format!("{} to {}", grouped(*range.start()), grouped(*range.end()))
+            }
             Kind::Number(range) => {
                 format!("{} to {}", number(*range.start()), number(*range.end()))
             }
@@ -166,19 +170,6 @@ fn number(number: f64) -> String {
     if short.len() < plain.len() { short } else { plain }
 }
 
-/// A whole number, its digits in groups of three.
-fn whole(number: i128) -> String {
-    let digits = number.unsigned_abs().to_string();
-    let mut text = String::from(if number < 0 { "-" } else { "" });
-    for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -186,7 +177,6 @@ mod tests {
     #[test]
     fn numbers_are_short() {
         assert_eq!([-1e12, 0.001, 179.0].map(number), ["-1e12", "1e-3", "179"]);
-        assert_eq!([-1_234_567, 999].map(whole), ["-1,234,567", "999"]);
     }
 
     #[test]

@@ -5,6 +5,7 @@ use std::collections::{HashMap, TryReserveError};
 use glam::DVec3;
 
 use super::COORDINATE_LIMIT;
+use super::polygon::is_flat;
 use super::primitive::{double, single};
 use super::shape::unit;
 use super::transform::Transform;
@@ -69,6 +70,9 @@ pub enum MeshError {
     /// The transform flattens the mesh or is not finite.
     #[error("the transform is not finite or flattens the object")]
     IrregularTransform,
+    /// Where it is placed, 32 bits leave no triangle an area.
+    #[error("so far from the origin the object has no area left in 32 bits")]
+    RoundedFlat,
     /// There is no memory for it.
     #[error("there is not enough memory for the mesh")]
     OutOfMemory,
@@ -155,6 +159,9 @@ impl Mesh {
             }
         }
         mesh.validate()?;
+        if (0..mesh.triangles.len()).all(|number| is_flat(mesh.vertices(number))) {
+            return Err(MeshError::RoundedFlat);
+        }
         mesh.turn_to_normals();
         Ok(mesh)
     }

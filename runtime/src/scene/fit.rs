@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 
 use phenomenon_compiler::check::{Files, Setting, bind_settings};
-use phenomenon_compiler::diagnostics::{Code, Finding, Place};
+use phenomenon_compiler::diagnostics::{Code, Finding, Place, listed};
 use phenomenon_compiler::document::{Document, Value, ValueKind, nearest};
 use phenomenon_compiler::graph::{Binding, Graph};
 use phenomenon_compiler::nodes::Literal;
@@ -65,6 +65,9 @@ pub fn unknown_lights(
         })
         .collect();
     for (parameter, literal) in values {
+        if findings.len() >= MOST_UNKNOWN {
+            break;
+        }
         let set = material.set.iter().find(|set| gives(set, parameter));
         for name in unknown(lights, std::iter::once(literal)) {
             let place = set.map(|set| place_in_setting(set, name));
@@ -74,7 +77,10 @@ pub fn unknown_lights(
     findings
 }
 
-/// Names among `literals` that are no light's, each once.
+/// Most names that are told of one graph: beyond, it was made for another scene.
+const MOST_UNKNOWN: usize = 64;
+
+/// Names among `literals` that are no light's, each once, the first ones.
 fn unknown<'g>(
     lights: &LightNames,
     literals: impl Iterator<Item = &'g Literal>,
@@ -87,6 +93,9 @@ fn unknown<'g>(
             _ => continue,
         };
         for name in names {
+            if unknown.len() == MOST_UNKNOWN {
+                return unknown;
+            }
             if !lights.names.contains(name) && !unknown.contains(&name) {
                 unknown.push(name);
             }
@@ -149,7 +158,7 @@ fn finding(
     let help = match (&near, lights.names.as_slice()) {
         (Some(near), _) => near.help(),
         (None, []) => "it has no lights at all; add one to `lights`".to_owned(),
-        (None, names) => format!("its lights are `{}`", names.join("`, `")),
+        (None, names) => format!("its lights are {}", listed(names.iter().map(String::as_str))),
     };
     let graph = &graph.name;
     let message = format!("`{graph}` asks for the light `{name}`, which the scene does not have");

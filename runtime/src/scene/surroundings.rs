@@ -87,13 +87,14 @@ fn light<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Light> {
         }
         (None, Some(sun)) => {
             let object = section(reader, sun, &DIRECTIONAL);
-            let direction = object.and_then(|object| vector(reader, &object, "direction"));
+            let direction = object
+                .and_then(|object| vector(reader, &object, "direction"))
+                .map(|direction| direction.map(|x| x as f32));
             if direction == Some([0.0; 3]) {
                 let message = "a directional light needs a direction that is not zero";
                 reader.report(Code::UNUSABLE_OBJECT, sun, message, "its light travels along it");
             }
-            direction
-                .map(|direction| LightKind::Directional { direction: direction.map(|x| x as f32) })
+            direction.map(|direction| LightKind::Directional { direction })
         }
         // The key it is given by was told to be none.
         (None, None) if foreign::has_other_keys(value, &LIGHT_SOURCE.names()) => None,

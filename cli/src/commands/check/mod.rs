@@ -9,7 +9,7 @@ use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use phenomenon_compiler::check::{Checked, OnDisk, check_graph_with};
+use phenomenon_compiler::check::{Checked, Files, OnDisk, check_graph_with};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::{self, Document};
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -70,16 +70,18 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut omitted = 0;
     let mut told = HashSet::new();
     let (mut looked_at, mut foreign) = (0_usize, 0_usize);
-    let found = inputs::find(&arguments.paths);
+    // A picture that several files use is decoded once.
+    let files = DecodedPictures::of(&OnDisk);
+    let found = inputs::find(&arguments.paths).once();
     found.failures.iter().for_each(terminal::complain);
     for input in found.inputs {
-        let Some(mut checked) = check_read(inputs::read(&input.path), &input, &library) else {
+        let Some(mut checked) = check_read(inputs::read(&input.path), &input, &library, &files) else {
             foreign += 1;
             continue;
         };
         looked_at += 1;
         if arguments.fix {
-            checked = fix(&input, checked, &library, arguments.diff)?;
+            checked = fix(&input, checked, &library, &files, arguments.diff)?;
         }
         omitted += checked.omitted;
         // A file that several others use is checked with each of them, but told of once.
@@ -138,12 +140,13 @@ fn fix(
     input: &Input,
     checked: Checked,
     library: &Arc<NodeLibrary>,
+    files: &dyn Files,
     diff: bool,
 ) -> Result<Checked, Failure> {
     let name = input.path.display().to_string();
     let mut check = |text: &str| {
         let document = document::read(&name, text.as_bytes());
-        check_read(document, input, library).unwrap_or_default()
+        check_read(document, input, library, files).unwrap_or_default()
     };
     let Some(mended) = mend::mend(&name, &checked, &mut check) else { return Ok(checked) };
     if diff {
@@ -169,15 +172,15 @@ fn check_read(
     document: Result<Document, Box<Finding>>,
     input: &Input,
     library: &Arc<NodeLibrary>,
+    files: &dyn Files,
 ) -> Option<Checked> {
-    let files = DecodedPictures::of(&OnDisk);
     match document {
         Ok(document) if input.in_folder && !inputs::is_ours(&document) => None,
         Ok(document) if is_scene(&document) => {
-            Some(scene::check(&document, inputs::folder(&input.path), library, &files))
+            Some(scene::check(&document, inputs::folder(&input.path), library, files))
         }
         Ok(document) => {
-            let mut checked = check_graph_with(&document, library, &files);
+            let mut checked = check_graph_with(&document, library, files);
             if let Some(graph) = &checked.graph {
                 checked.findings.extend(uncompilable(graph, library, &[], &document));
             }

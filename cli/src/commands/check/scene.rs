@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use phenomenon_compiler::check::{Checked, Files, check_graph_with};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
-use phenomenon_compiler::document::Document;
+use phenomenon_compiler::document::{Document, all_mistakes};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::scene::{
@@ -123,7 +123,8 @@ impl Graphs<'_> {
                 return None;
             }
             Err(finding) => {
-                findings.push(used_here(*finding, material));
+                let mistakes = all_mistakes(*finding).into_iter();
+                findings.extend(mistakes.map(|finding| used_here(finding, material)));
                 return None;
             }
         };

@@ -1,5 +1,6 @@
 //! What a rendering cost, in a line and as JSON.
 
+use phenomenon_compiler::diagnostics::grouped;
 use phenomenon_runtime::render::{Region, Settings, Statistics};
 use serde_json::{Map, json};
 
@@ -60,28 +61,5 @@ impl Cost {
     fn rays(&self) -> u64 {
         let rays = &self.statistics.rays;
         rays.eye + rays.reflection + rays.refraction + rays.transparent + rays.probe + rays.shadow
-    }
-}
-
-/// Digits in groups of three.
-fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn digits_are_grouped() {
-        assert_eq!([0, 999, 1000, 12_345_678].map(grouped), ["0", "999", "1,000", "12,345,678"]);
     }
 }

@@ -2,7 +2,7 @@
 //! line that stands further out than it should follows one that is missing, a line that stands further
 //! in follows one too many. Indentation is believed only as far as the brackets need it.
 
-use super::Mistake;
+use super::{MOST, Mistake};
 use super::tokens::{Kind, Lexer, Token};
 
 /// Deepest nesting that is followed.
@@ -10,6 +10,9 @@ const DEEPEST: usize = 128;
 
 /// Most brackets too many that are looked for beside as many that are missing.
 const MOST_PAIRS: usize = 4;
+
+/// Most brackets that are matched: what is kept of each is some dozens of bytes.
+const MOST_BRACKETS: usize = 1 << 20;
 
 /// Keys that stand only at the top of a file, for files that are not indented.
 const TOP_KEYS: [&str; 9] = [
@@ -63,7 +66,7 @@ pub(super) fn corrections(text: &str) -> Corrections {
         }
         deepest = deepest.max(opened.saturating_sub(closed));
     }
-    if lexer.is_full() || deepest > DEEPEST {
+    if lexer.is_full() || deepest > DEEPEST || opened + closed > MOST_BRACKETS {
         return Corrections { given_up: true, ..Corrections::default() };
     }
     let missing = opened.saturating_sub(closed);
@@ -88,9 +91,20 @@ pub(super) fn corrections(text: &str) -> Corrections {
     by_lines.finish()
 }
 
+impl Corrections {
+    /// Keeps a mistake, as far as it will be told.
+    fn tell(&mut self, mistake: Mistake) {
+        if self.mistakes.len() < MOST {
+            self.mistakes.push(mistake);
+        }
+    }
+}
+
 /// Brackets as they are matched.
 struct Matching<'t> {
     text: &'t str,
+    /// Where the text starts, after white space.
+    start: usize,
     /// How many closing brackets are missing, or too many, and not found yet.
     missing: usize,
     extra: usize,
@@ -111,6 +125,7 @@ impl<'t> Matching<'t> {
     fn of(text: &'t str, missing: usize, extra: usize, by_keys: bool) -> Self {
         let mut matching = Self {
             text,
+            start: text.len() - text.trim_start().len(),
             missing,
             extra,
             stack: Vec::new(),
@@ -248,7 +263,7 @@ impl<'t> Matching<'t> {
         };
         let mistake = Mistake::new((at, at), message, help);
         let start = outermost.start;
-        self.found.mistakes.push(mistake.with((start, start + 1), "opened here"));
+        self.found.tell(mistake.with((start, start + 1), "opened here"));
     }
 
     /// The last brackets that were closed stay open: those that closed them are too many.
@@ -271,7 +286,7 @@ impl<'t> Matching<'t> {
         let message = format!("one `{bracket}` too many: this one closes {what}");
         let mistake = Mistake::new((close, close + 1), message, format!("remove one `{bracket}`"));
         let opened = (frame.start, frame.start + 1);
-        self.found.mistakes.push(mistake.with(opened, "what it closes was opened here"));
+        self.found.tell(mistake.with(opened, "what it closes was opened here"));
     }
 
     /// Something stands where the outermost bracket is closed: if brackets are too many, that is one.
@@ -313,7 +328,7 @@ impl<'t> Matching<'t> {
                             )
                             .with((*end, end + 1), "and closed here");
                     }
-                    self.found.mistakes.push(mistake);
+                    self.found.tell(mistake);
                 }
             }
             Some(_) if (1..=self.missing).contains(&above) => {
@@ -328,7 +343,7 @@ impl<'t> Matching<'t> {
                 let mistake = Mistake::new((token.start, token.end), message, help);
                 self.extra -= 1;
                 self.found.extra.push(token.start);
-                self.found.mistakes.push(mistake.with(open, "opened here"));
+                self.found.tell(mistake.with(open, "opened here"));
             }
             Some(top) => {
                 let (bracket, right) = (char::from(close), closer(top.open));
@@ -340,7 +355,7 @@ impl<'t> Matching<'t> {
                 let open = (top.start, top.start + 1);
                 let mistake =
                     Mistake::new((token.start, token.end), message, format!("write `{right}`"));
-                self.found.mistakes.push(mistake.with(open, "opened here").fixed_by(right));
+                self.found.tell(mistake.with(open, "opened here").fixed_by(right));
                 self.pop(token);
             }
         }
@@ -362,7 +377,7 @@ impl<'t> Matching<'t> {
                 let key = self.text[start..end].trim_matches('"');
                 format!("`{}`", crate::diagnostics::shortened(key))
             }
-            None if self.text[..frame.start].trim().is_empty() => {
+            None if frame.start <= self.start => {
                 format!("the {kind} the file starts with")
             }
             None => format!("this {kind}"),
@@ -394,7 +409,7 @@ impl<'t> Matching<'t> {
                 }
                 mistake
             };
-            self.found.mistakes.push(mistake);
+            self.found.tell(mistake);
         }
         self.found.extra.sort_unstable();
         self.found.missing.sort_unstable();

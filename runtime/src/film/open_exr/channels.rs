@@ -1,5 +1,7 @@
 //! Which channels of a file are its colour.
 
+use phenomenon_compiler::diagnostics::shortened;
+
 use super::header::Part;
 use crate::film::fault::Fault;
 
@@ -90,11 +92,16 @@ fn usable(part: &Part, selection: Selection) -> Result<Selection, Fault> {
             "its colors are luminance and chroma (Y, RY, BY), which are not read: write it as R, G and B",
         ));
     }
+    let mut names = std::collections::HashSet::new();
+    if let Some(twice) = part.channels.iter().find(|channel| !names.insert(&channel.name)) {
+        let name = shortened(&twice.name);
+        return Err(Fault::Malformed(format!("it has two channels called {name}")));
+    }
     match part.channels.iter().find(|channel| channel.subsampled) {
         None => Ok(selection),
         Some(channel) => Err(Fault::Malformed(format!(
             "its channel {} has fewer samples than pixels, which is not read: write all channels at full size",
-            channel.name
+            shortened(&channel.name)
         ))),
     }
 }
@@ -105,8 +112,8 @@ fn listed(parts: &[Part]) -> String {
         for channel in &part.channels {
             // Names of parts are told where there are several.
             let name = match parts {
-                [_] => channel.name.clone(),
-                _ => format!("{} ({})", channel.name, part.name),
+                [_] => shortened(&channel.name),
+                _ => format!("{} ({})", shortened(&channel.name), shortened(&part.name)),
             };
             names.push(name);
         }
