@@ -83,7 +83,9 @@ impl Found {
     /// Leaves out what is the same file as one before it, however it is spelt.
     pub fn once(mut self) -> Self {
         let mut known = HashSet::new();
-        self.inputs.retain(|input| known.insert(OnDisk.identity(&input.path)));
+        // Standard input has no second reading: that is said where it is asked for.
+        self.inputs
+            .retain(|input| is_stream(&input.path) || known.insert(OnDisk.identity(&input.path)));
         self
     }
 }
@@ -144,19 +146,16 @@ fn leads_to_file(link: &Path) -> bool {
     }
 }
 
-/// A graph or a scene says one of these words.
-const OUR_KEYS: [&str; 3] = ["phenomenon", "scene", "roots"];
-
 /// Whether a file met in a folder is a graph or a scene.
 pub fn is_ours(document: &Document) -> bool {
     Ours::of(document).is_some()
 }
 
-/// Whether a file met in a folder that is no JSON was not meant for us: it does not say the words
-/// that graphs and scenes start with. Others allow comments in theirs.
+/// Whether a file met in a folder that is no JSON was not meant for us: it does not have the
+/// keys that graphs and scenes have. Others allow comments in theirs.
 pub fn is_foreign_text(finding: &Finding) -> bool {
     let text = &finding.place.file.text;
-    !text.is_empty() && OUR_KEYS.iter().all(|key| !text.contains(key))
+    !text.is_empty() && Ours::of_text(text).is_none()
 }
 
 /// The failure where folders hold nothing to do something with: it is a mistake in how the program

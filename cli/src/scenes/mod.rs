@@ -127,7 +127,14 @@ pub fn load(
             BuildError::Scene(SceneError::Texture(_)) if materials.tell_pictures(&scene) => {
                 graphs::unusable(path)
             }
-            other => Failure::new(format!("{}: {other}", path.display()), "change the object"),
+            other => {
+                let help = match &other {
+                    BuildError::Scene(SceneError::Texture(_)) => "use fewer or smaller pictures",
+                    BuildError::Scene(_) => "leave some of its objects out",
+                    _ => "change the object",
+                };
+                Failure::new(format!("{}: {other}", path.display()), help)
+            }
         })?;
     let whole = start.elapsed().as_secs_f64() * 1e3;
     Ok(Picture {

@@ -3,13 +3,15 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
+use phenomenon_compiler::diagnostics::is_deceptive;
+
 use super::Look;
 
 /// The text with what cannot be seen written as `\u{202e}`, as messages have it. Line breaks and tabs stay.
 pub fn shown<'t>(text: &'t str, look: &Look) -> Cow<'t, str> {
     let stays = |character: char| {
         matches!(character, '\n' | '\t')
-            || !(is_hidden(character) || look.ascii && !character.is_ascii())
+            || !(is_deceptive(character) || look.ascii && !character.is_ascii())
     };
     if text.chars().all(stays) {
         return Cow::Borrowed(text);
@@ -27,7 +29,7 @@ pub fn shown<'t>(text: &'t str, look: &Look) -> Cow<'t, str> {
 
 /// Appends a character, or what is shown in its place.
 pub fn pushed(into: &mut String, character: char, look: &Look) {
-    let unseen = is_hidden(character);
+    let unseen = is_deceptive(character);
     if !unseen && (character.is_ascii() || !look.ascii) {
         into.push(character);
     } else if let Some(plain) = plain(character).filter(|_| !unseen) {
@@ -40,7 +42,7 @@ pub fn pushed(into: &mut String, character: char, look: &Look) {
 /// The text with what cannot be seen as escapes of JSON, which are the same value in a string of JSON. Line breaks and
 /// tabs stay.
 pub fn json_shown(text: &str) -> Cow<'_, str> {
-    let stays = |character: char| matches!(character, '\n' | '\t') || !is_hidden(character);
+    let stays = |character: char| matches!(character, '\n' | '\t') || !is_deceptive(character);
     if text.chars().all(stays) {
         return Cow::Borrowed(text);
     }
@@ -55,23 +57,6 @@ pub fn json_shown(text: &str) -> Cow<'_, str> {
         }
     }
     Cow::Owned(shown)
-}
-
-/// Whether a terminal acts on the character, reorders what stands round it, or shows nothing of it.
-fn is_hidden(character: char) -> bool {
-    character.is_control()
-        || matches!(character,
-            // Marks of direction, embeddings, overrides and isolates.
-            '\u{061c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{206f}'
-            // Of no width: spaces, joiners, byte order marks, operators, soft hyphens.
-            | '\u{00ad}' | '\u{034f}' | '\u{180b}'..='\u{180f}' | '\u{200b}'..='\u{200d}'
-            | '\u{2060}'..='\u{2065}' | '\u{feff}' | '\u{fff0}'..='\u{fffb}'
-            // Letters that are drawn as nothing.
-            | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}' | '\u{3164}' | '\u{ffa0}'
-            // Breaks of lines and paragraphs.
-            | '\u{2028}' | '\u{2029}'
-            // Tags and selectors of variants, beats and shorthand.
-            | '\u{e0000}'..='\u{e0fff}' | '\u{1bca0}'..='\u{1bca3}' | '\u{1d173}'..='\u{1d17a}')
 }
 
 /// What our own texts use beyond ASCII, for terminals that cannot show it.

@@ -79,6 +79,9 @@ fn standard_input_is_refused_like_a_file() {
     let twice = run_in(&folder.path(""), &["check", "-", "-"], OUTER);
     assert_eq!(twice.code, Some(2), "{twice:?}");
     assert!(twice.output.contains("standard input is read already"), "{twice:?}");
+    // What is read several times cannot be standard input.
+    let bench = run_in(&folder.path(""), &["bench", "render", "-"], OUTER);
+    was_refused(&bench, &["bench", "render", "-"], &["give the path of a file"]);
     // Closed or a folder: an error, no panic.
     let mut command = program(&["check", "-"]);
     command.stdin(Stdio::from(std::fs::File::open(folder.path("")).unwrap()));

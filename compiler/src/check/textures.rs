@@ -1,5 +1,6 @@
 //! Pictures a graph names: each must be there.
 
+use crate::diagnostics::Code;
 use crate::document::{Reader, ValueKind, shortened};
 
 use super::literals::beside;
@@ -12,7 +13,10 @@ pub(super) fn check(reader: &mut Reader<'_>, files: &dyn Files) {
         let path = beside(&reader.document.file.name, file);
         if let Some((code, why)) = files.unusable_picture(&path) {
             let message = format!("the texture `{}` cannot be used: {why}", shortened(file));
-            let help = "paths are relative to the folder of this file";
+            let help = match code {
+                Code::UNREADABLE_FILE => "paths are relative to the folder of this file",
+                _ => "write the picture again, smaller if need be, or name another",
+            };
             reader.report(code, value, message, help);
         }
     }

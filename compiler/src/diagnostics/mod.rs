@@ -14,7 +14,7 @@ pub mod synonyms;
 pub use codes::{Code, Explanation};
 pub use digits::grouped;
 pub use documentation::documentation;
-pub use escape::escaped;
+pub use escape::{escaped, is_deceptive};
 pub use finding::{Finding, Related, Severity};
 pub use findings::{Findings, KEPT_FINDINGS, SHOWN_FINDINGS};
 pub use names::{listed, listed_or, shortened};

@@ -110,9 +110,42 @@ fn is_misspelling(wrong: &str, name: &str, distance: usize) -> bool {
     let is_short = lengths.0.max(lengths.1) <= 3 || lengths == (4, 4);
     distance <= 2
         && (!is_short || sorted(wrong) == sorted(name))
+        && !is_derived(&wrong.to_lowercase(), &name.to_lowercase())
         // Another number is another thing.
         && digits(wrong) == digits(name)
         && !synonyms::is_word(wrong)
+}
+
+/// Whether a word may be made of the other on purpose: with something put before or behind it, as
+/// `unscale` is of `scale` and `lengthsq` of `length`, or with another abbreviation among its parts,
+/// as `hsl_to_rgb` has. A letter that only doubles its neighbour is put there by no one.
+fn is_derived(wrong: &str, name: &str) -> bool {
+    let doubles = |extra: &str, neighbour: Option<char>| {
+        let mut letters = extra.chars();
+        letters.next() == neighbour && letters.next().is_none()
+    };
+    let added = match (wrong.strip_prefix(name), wrong.strip_suffix(name)) {
+        (Some(behind), _) => !doubles(behind, name.chars().next_back()),
+        (_, Some(before)) => !doubles(before, name.chars().next()),
+        _ => false,
+    };
+    let is_abbreviation = |part: &str| part.chars().count() <= 3;
+    let anagrams = |a: &str, b: &str| {
+        let letters = |part: &str| {
+            let mut letters: Vec<char> = part.chars().collect();
+            letters.sort_unstable();
+            letters
+        };
+        letters(a) == letters(b)
+    };
+    let parts = |word: &'_ str| word.split('_').count();
+    let another_part = parts(wrong) > 1
+        && parts(wrong) == parts(name)
+        && wrong
+            .split('_')
+            .zip(name.split('_'))
+            .any(|(a, b)| a != b && is_abbreviation(a) && is_abbreviation(b) && !anagrams(a, b));
+    added || another_part
 }
 
 /// Optimal string alignment: insertions, deletions, replacements and swaps of neighbours.
@@ -202,5 +235,35 @@ mod tests {
         let near = nearest("tint3", ["tint1", "tint2", "other"]).unwrap();
         assert_eq!((near.name, near.rival), ("tint1", Some("tint2")));
         assert_eq!(near.help(), "did you mean `tint1` or `tint2`?");
+    }
+
+    #[test]
+    fn words_made_of_others_on_purpose_are_no_misspellings() {
+        for (wrong, name) in [
+            ("madd", "add"),
+            ("addc", "add"),
+            ("unscale", "scale"),
+            ("rescale", "scale"),
+            ("deselect", "select"),
+            ("lengthsq", "length"),
+            ("rlength", "length"),
+            ("ifloor", "floor"),
+            ("floori", "floor"),
+            ("unmultiply", "multiply"),
+            ("hsl_to_rgb", "hsv_to_rgb"),
+        ] {
+            let found = nearest(wrong, [name]);
+            assert!(found.is_none_or(|near| near.fix().is_none()), "{wrong} is made {name}");
+        }
+        for (wrong, name) in [
+            ("mutliply", "multiply"),
+            ("lenght", "length"),
+            ("floorr", "floor"),
+            ("sselect", "select"),
+            ("hvs_to_rgb", "hsv_to_rgb"),
+            ("trace_relfection", "trace_reflection"),
+        ] {
+            assert!(nearest(wrong, [name]).is_some_and(|near| near.fix().is_some()), "{wrong}");
+        }
     }
 }

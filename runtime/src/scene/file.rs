@@ -27,6 +27,8 @@ pub struct SceneFile {
     pub lights: Option<LightNames>,
     /// What was found, in file order.
     pub findings: Vec<Finding>,
+    /// How many findings are not kept, for there are too many.
+    pub omitted: usize,
 }
 
 /// The lights of a scene by name, as graphs ask for them.
@@ -71,6 +73,7 @@ pub fn check_scene_with(document: &Document, folder: &Path, assets: &Assets) -> 
     let mut file = SceneFile::default();
     let scene = scene(&mut reader, folder, assets, &mut file);
     file.scene = if reader.findings.has_errors() { None } else { scene };
+    file.omitted = reader.findings.omitted();
     file.findings = reader.findings.into_sorted();
     file
 }

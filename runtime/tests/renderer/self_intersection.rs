@@ -227,8 +227,15 @@ fn close_panes_and_thin_shells_are_told_apart() {
         );
         let gap = other.expect("the other pane is met").t;
         assert!(gap > 0.9e-12 * size && gap < 1.1e-3 * size, "{first:?}: {gap} of {size}");
+        let towards = direction.y * (if surface.position.y > 0.0 { -1.0 } else { 1.0 });
+        let expected = gap / direction.y.abs();
+        let there = surface.position + direction * expected;
+        let within = there.x.abs().max(there.z.abs()) < 0.499 * size;
+        assert!(
+            second.is_some() || towards <= 0.0 || !within,
+            "size {size}, gap {gap}: the other pane is missed towards {direction}"
+        );
         if let Some(second) = second {
-            let expected = gap / direction.y.abs();
             let error = 1e-6 * expected + 1e-12 * size / direction.y.abs();
             assert!((second.t - expected).abs() <= error, "{} {expected}", second.t);
         }

@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 use crate::arguments::{self, EngineChoice, Precision, SimdChoice, Size};
 use crate::failure::{Failure, Outcome};
 use crate::graphs::EngineArguments;
+use crate::inputs;
 use crate::outputs::{self, Output};
 use crate::scenes::{self, Change, Picture};
 use crate::terminal;
@@ -67,6 +68,12 @@ struct Contender {
 /// # Errors
 /// A file that cannot be used or rendered, or a folder that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    if inputs::is_stream(&arguments.file) {
+        return Err(Failure::new(
+            "every engine reads the file, and standard input can be read once",
+            "give the path of a file instead of `-`",
+        ));
+    }
     let output = arguments.output.as_ref().map(|folder| folder.join("render.json"));
     let output = output.as_deref().map(|path| Output { flag: "-o", path });
     if let Some(output) = output {

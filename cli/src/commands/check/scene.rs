@@ -55,7 +55,7 @@ pub fn check_with(
         let place = &finding.place;
         told.insert((place.file.name.clone(), place.start, finding.code, finding.message.clone()))
     });
-    Checked { graph: None, findings: own, omitted: graphs.omitted }
+    Checked { graph: None, findings: own, omitted: scene.omitted + graphs.omitted }
 }
 
 /// The graphs of a scene, each read and checked once.

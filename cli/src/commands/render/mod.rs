@@ -101,7 +101,7 @@ OBJECT is the name of an object, `objects[2]`, or `environment`. Numbers are wri
 Examples:
   phenomenon render graphs/glass/advanced_glass.json
   phenomenon render graphs/glass/advanced_glass.json --set ior=1.3 --size 256x256 --spp 64 -o glass.exr
-  phenomenon render graphs/glass/advanced_glass.json --node facing --engine walk -o facing.png
+  phenomenon render graphs/glass/advanced_glass.json --node fresnel --engine walk -o fresnel.png
   phenomenon render scenes/teapot.json --threads 2 --stats teapot-stats.json
   phenomenon render scenes/teapot.json --set floor:size=2 --node teapot:cosine --region 128,128,64,64
   phenomenon render graphs/glass/advanced_glass.json --scene scenes/default.json";
@@ -150,6 +150,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let help = error.help();
         Failure::new(error, help)
     })?;
+    if is_named {
+        // Rendering takes long enough for something else to get the name.
+        named::require_replaceable(&output)?;
+    }
     picture_file.write(if is_named { named::marked(bytes) } else { bytes })?;
     if let Some(stats) = stats {
         stats.write(cost.json())?;

@@ -1,5 +1,7 @@
 //! Numbers and words, as JSON has them and as others do.
 
+use crate::document::numbers::is_number;
+
 use super::Mistake;
 use super::strings::{ends_a_value, follows};
 use super::tokens::{Kind, Lexer, Token, is_of_a_word};
@@ -58,23 +60,6 @@ impl Lexer<'_> {
         };
         Mistake::new((word.start, word.end), message, help)
     }
-}
-
-/// Whether it is a number of JSON.
-fn is_number(run: &str) -> bool {
-    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-    let run = run.strip_prefix('-').unwrap_or(run);
-    let (mantissa, exponent) = match run.split_once(['e', 'E']) {
-        Some((mantissa, exponent)) => (mantissa, Some(exponent)),
-        None => (run, None),
-    };
-    let exponent = exponent.is_none_or(|it| digits(it.strip_prefix(['+', '-']).unwrap_or(it)));
-    let (whole, fraction) = match mantissa.split_once('.') {
-        Some((whole, fraction)) => (whole, Some(fraction)),
-        None => (mantissa, None),
-    };
-    let no_leading_zero = whole == "0" || !whole.starts_with('0');
-    digits(whole) && no_leading_zero && fraction.is_none_or(digits) && exponent
 }
 
 fn starts_a_number(run: &str) -> bool {

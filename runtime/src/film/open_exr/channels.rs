@@ -92,11 +92,6 @@ fn usable(part: &Part, selection: Selection) -> Result<Selection, Fault> {
             "its colors are luminance and chroma (Y, RY, BY), which are not read: write it as R, G and B",
         ));
     }
-    let mut names = std::collections::HashSet::new();
-    if let Some(twice) = part.channels.iter().find(|channel| !names.insert(&channel.name)) {
-        let name = shortened(&twice.name);
-        return Err(Fault::Malformed(format!("it has two channels called {name}")));
-    }
     match part.channels.iter().find(|channel| channel.subsampled) {
         None => Ok(selection),
         Some(channel) => Err(Fault::Malformed(format!(
