@@ -75,7 +75,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let found = inputs::find(&arguments.paths).once();
     found.failures.iter().for_each(terminal::complain);
     for input in found.inputs {
-        let Some(mut checked) = check_read(inputs::read(&input.path), &input, &library, &files) else {
+        let Some(mut checked) = check_read(inputs::read(&input.path), &input, &library, &files)
+        else {
             foreign += 1;
             continue;
         };

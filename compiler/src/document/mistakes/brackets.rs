@@ -2,8 +2,8 @@
 //! line that stands further out than it should follows one that is missing, a line that stands further
 //! in follows one too many. Indentation is believed only as far as the brackets need it.
 
-use super::{MOST, Mistake};
 use super::tokens::{Kind, Lexer, Token};
+use super::{MOST, Mistake};
 
 /// Deepest nesting that is followed.
 const DEEPEST: usize = 128;
