@@ -108,8 +108,13 @@ pub enum RenderError {
     #[error("{0} samples per pixel are not possible: 1 to {SAMPLE_LIMIT} are")]
     Samples(u32),
     /// The threads could not be started.
-    #[error("cannot start the rendering threads: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
+    #[error("cannot start {threads} rendering threads of {} MiB of stack: {cause}", STACK_BYTES >> 20)]
+    Threads {
+        /// How many.
+        threads: usize,
+        /// What the system says.
+        cause: rayon::ThreadPoolBuildError,
+    },
 }
 
 /// A picture and what it cost.
@@ -148,10 +153,7 @@ pub fn render_region(
     if !(1..=SAMPLE_LIMIT).contains(&settings.samples) {
         return Err(RenderError::Samples(settings.samples));
     }
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(settings.threads)
-        .stack_size(STACK_BYTES)
-        .build()?;
+    let pool = threads(settings.threads)?;
     let start = Instant::now();
     let tiles = tiles(settings.tile, part);
     let work = Work { film: Mutex::new((film, 0)), contexts: Mutex::new(Vec::new()) };
@@ -175,6 +177,16 @@ pub fn render_region(
     let painters = work.contexts.into_inner().unwrap_or_else(PoisonError::into_inner);
     let statistics = statistics(&painters, whole, pool.current_num_threads());
     Ok(Rendered { film, statistics })
+}
+
+/// So many threads; 0 stands for one per core.
+fn threads(wanted: usize) -> Result<rayon::ThreadPool, RenderError> {
+    let threads = match wanted {
+        0 => std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
+        wanted => wanted,
+    };
+    let builder = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_BYTES);
+    builder.build().map_err(|cause| RenderError::Threads { threads, cause })
 }
 
 struct Work<'s> {

@@ -201,6 +201,9 @@ fn render(
             );
             Failure::new(format!("--region: {error}"), help)
         }
-        error => Failure::new(error, "choose other values for --size, --spp or --threads"),
+        error @ RenderError::Threads { .. } => {
+            Failure::new(error, "give a smaller number of them by --threads, such as --threads 1")
+        }
+        error => Failure::new(error, "choose other values for --size or --spp"),
     })
 }
