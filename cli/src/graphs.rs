@@ -10,7 +10,8 @@ use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::all_mistakes;
 use phenomenon_compiler::engine::{Engine, Options, Shader};
 use phenomenon_compiler::graph::Graph;
-use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::values::Literal;
 
 use crate::arguments::{self, Assignment, EngineChoice, Precision, SimdChoice};
 use crate::failure::Failure;

@@ -11,8 +11,9 @@ use phenomenon_compiler::diagnostics::{Code, Finding, Place};
 use phenomenon_compiler::document::Document;
 use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
 use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::specialise::SpecialiseError;
+use phenomenon_compiler::values::Literal;
 use phenomenon_runtime::texture;
 
 /// Files whose pictures are decoded, to see whether they can be; each once.

@@ -1,7 +1,7 @@
 //! What a shader may ask of the renderer, and the trait through which it asks.
 
-use crate::nodes::Texture;
 use crate::state::{Field, State};
+use crate::values::Texture;
 
 /// Anything a node asks of the renderer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::nodes::Type;
+use crate::values::Type;
 
 /// Why a ray was cast.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

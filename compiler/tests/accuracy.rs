@@ -4,10 +4,11 @@
 //! `docs/numerics.md` states; `EXHAUSTIVE=1` before it tries every 32-bit number, `EXHAUSTIVE=509` one
 //! in 509 and more pairs.
 
+use phenomenon_compiler::emit::Body;
 use phenomenon_compiler::emit::functions;
 use phenomenon_compiler::emit::{Emit, Sink, Words};
-use phenomenon_compiler::engine::lanes::{LANES, Lanes, Placement, Source};
-use phenomenon_compiler::nodes::{Body, Code};
+use phenomenon_compiler::kernels::BodyForms;
+use phenomenon_compiler::storage::{LANES, Lanes, Placement, Source};
 
 /// Error in units of the last place that an f32 near `exact` has; 0 where NaN or an overflow is
 /// what is due.
@@ -42,7 +43,7 @@ const BLOCKS: usize = 64;
 
 /// Compares over pairs of inputs; a function of one ignores the second.
 fn worst(
-    code: Code,
+    code: BodyForms,
     exact: impl Fn(f64, f64) -> f64,
     inputs: impl Iterator<Item = [f32; 2]>,
 ) -> Worst {
@@ -86,7 +87,7 @@ macro_rules! code {
                 sink.real(0, $value);
             }
         }
-        Code::of::<Function>()
+        BodyForms::of::<Function>()
     }};
 }
 

@@ -13,7 +13,8 @@ use phenomenon_compiler::document::{
     MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES, ValueKind, canonical, read,
 };
 use phenomenon_compiler::graph::Binding;
-use phenomenon_compiler::nodes::{Literal, NodeLibrary, Type};
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::values::{Literal, Type};
 
 fn check(bytes: impl AsRef<[u8]>) -> Checked {
     match read("hostile.json", bytes.as_ref()) {

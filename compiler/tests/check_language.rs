@@ -13,8 +13,9 @@ use phenomenon_compiler::effects::{
 };
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::nodes::{Literal, NodeLibrary, Space, Texture, Type};
+use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
+use phenomenon_compiler::values::{Literal, Space, Texture, Type};
 
 /// Files that exist in memory only.
 struct InMemory(HashMap<PathBuf, String>);

@@ -10,7 +10,8 @@ use phenomenon_compiler::check::{Checked, Files, MAX_FILE_DEPTH, check_graph_wit
 use phenomenon_compiler::diagnostics::{Code, Finding, Place, SourceFile};
 use phenomenon_compiler::document::{Document, read};
 use phenomenon_compiler::graph::{Binding, Graph};
-use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::values::Literal;
 
 /// Files that exist in memory only.
 #[derive(Default)]

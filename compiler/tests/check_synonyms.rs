@@ -6,7 +6,8 @@ use std::collections::{HashMap, HashSet};
 use phenomenon_compiler::diagnostics::synonyms::{
     self, INPUTS, KEYS, NODES, OUTPUTS, ROOTS, SEVERAL, TYPES,
 };
-use phenomenon_compiler::nodes::{NodeLibrary, Type};
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::values::Type;
 
 fn folded(name: &str) -> String {
     name.chars().filter(|c| !matches!(c, '_' | '-' | ' ')).collect::<String>().to_lowercase()

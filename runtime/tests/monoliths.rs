@@ -9,8 +9,9 @@ use phenomenon_compiler::document;
 use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::{RayType, State};
+use phenomenon_compiler::values::Literal;
 use phenomenon_runtime::monoliths::{NAMES, find};
 
 /// A renderer whose answers change smoothly with what is asked, and which counts requests.

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
 use phenomenon_compiler::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
-use phenomenon_compiler::nodes::{Literal, NodeLibrary, Type};
+use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
+use phenomenon_compiler::values::{Literal, Type};
 
 use crate::mock::MockRenderer;
 

@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
 use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::specialise::{SpecialiseError, expand};
 use phenomenon_compiler::state::State;
+use phenomenon_compiler::values::Literal;
 
 use crate::mock::{MockRenderer, Record};
 use crate::naive::Naive;

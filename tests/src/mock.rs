@@ -4,8 +4,8 @@
 use phenomenon_compiler::effects::{
     Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId,
 };
-use phenomenon_compiler::nodes::{Texture, Type};
 use phenomenon_compiler::state::{Field, State};
+use phenomenon_compiler::values::{Texture, Type};
 
 use crate::random::{Random, canonical, mixed};
 

@@ -7,9 +7,10 @@ use std::collections::HashMap;
 use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
 use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::{Binding, Graph, Node, Root};
-use phenomenon_compiler::nodes::{Default, Kind, Literal, NodeLibrary, Type};
+use phenomenon_compiler::nodes::{DefaultValue, Kind, NodeLibrary};
 use phenomenon_compiler::specialise::mix_key;
 use phenomenon_compiler::state::{Field, State};
+use phenomenon_compiler::values::{Literal, Type};
 
 use crate::reads::{self, Fields};
 
@@ -69,7 +70,7 @@ impl<'a> Naive<'a> {
             let node = nodes[at].clone();
             let inputs = &library.signature(node.node_type).inputs;
             for (input, binding) in inputs.iter().zip(&node.inputs) {
-                if let (Default::Node(name), Binding::Default) = (&input.default, binding) {
+                if let (DefaultValue::Node(name), Binding::Default) = (&input.default, binding) {
                     implied.entry(*name).or_insert_with(|| {
                         nodes.push(reads::implied(library, name));
                         nodes.len() - 1
@@ -207,11 +208,17 @@ impl Evaluation<'_> {
             return self.given(&of.inputs[input], to, at);
         }
         match &declared.default {
-            Default::Literal(Literal::Scalar(x)) if to == Type::Vector => Ok(vec![x.to_bits(); 3]),
-            Default::Literal(literal) => Ok(converted(literal.words(), literal.value_type(), to)),
-            Default::State(field) => Ok(converted(self.field(*field, at)?, field.value_type(), to)),
-            Default::Node(name) => self.output(naive.implied[name], 0, to, at),
-            Default::Required => panic!("random graphs bind required inputs"),
+            DefaultValue::Literal(Literal::Scalar(x)) if to == Type::Vector => {
+                Ok(vec![x.to_bits(); 3])
+            }
+            DefaultValue::Literal(literal) => {
+                Ok(converted(literal.words(), literal.value_type(), to))
+            }
+            DefaultValue::State(field) => {
+                Ok(converted(self.field(*field, at)?, field.value_type(), to))
+            }
+            DefaultValue::Node(name) => self.output(naive.implied[name], 0, to, at),
+            DefaultValue::Required => panic!("random graphs bind required inputs"),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Seeded randomness for tests, with a taste for hard values.
 
-use phenomenon_compiler::nodes::{Literal, Space, Texture, Type};
 use phenomenon_compiler::state::{Hit, RayType, State};
+use phenomenon_compiler::values::{Literal, Space, Texture, Type};
 
 /// Numbers at which arithmetic goes wrong.
 pub const HARD: [f32; 22] = [

@@ -4,9 +4,8 @@
 //! what reads the light of a loop is demanded below loops only.
 
 use phenomenon_compiler::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
-use phenomenon_compiler::nodes::{
-    Default, FINITE, Kind, Literal, NodeLibrary, NodeType, Signature, Type,
-};
+use phenomenon_compiler::nodes::{DefaultValue, FINITE, Kind, NodeLibrary, NodeType, Signature};
+use phenomenon_compiler::values::{Literal, Type};
 
 use crate::random::Random;
 use crate::reads::{self, Fields};
@@ -132,7 +131,7 @@ impl<'a> Growing<'a> {
             .inputs
             .iter()
             .map(|input| {
-                let required = matches!(input.default, Default::Required);
+                let required = matches!(input.default, DefaultValue::Required);
                 let to = settled(input.value_type);
                 self.binding(to, required, input.scoped, is_loop && input.scoped)
             })

@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use phenomenon_compiler::graph::{Binding, Node};
-use phenomenon_compiler::nodes::{Default, Kind, NodeLibrary};
+use phenomenon_compiler::nodes::{DefaultValue, Kind, NodeLibrary};
 use phenomenon_compiler::state::Field;
 
 /// Fields.
@@ -47,8 +47,8 @@ pub fn of_node(
     for (input, binding) in signature.inputs.iter().zip(&node.inputs) {
         let below = match (binding, &input.default) {
             (Binding::Node { node, output }, _) => of_output(*node, *output),
-            (Binding::Default, Default::State(field)) => [*field].into(),
-            (Binding::Default, Default::Node(name)) => of_implied(library, name, of_output),
+            (Binding::Default, DefaultValue::State(field)) => [*field].into(),
+            (Binding::Default, DefaultValue::Node(name)) => of_implied(library, name, of_output),
             _ => Fields::new(),
         };
         fields.extend(below.into_iter().filter(|field| !input.scoped || !changed.contains(field)));

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use phenomenon_compiler::graph::{Binding, Graph, Root};
-use phenomenon_compiler::nodes::{Default, Literal, NodeLibrary, Type};
+use phenomenon_compiler::nodes::{DefaultValue, NodeLibrary};
+use phenomenon_compiler::values::{Literal, Type};
 
 use crate::differential::Case;
 use crate::random_graph::is_of_light;
@@ -55,7 +56,7 @@ fn smaller_graphs(graph: &Graph, library: &NodeLibrary) -> Vec<Graph> {
         for (input, binding) in of.inputs.iter().enumerate() {
             let declared = &library.signature(of.node_type).inputs[input];
             let plain = match declared.default {
-                Default::Required => Binding::Literal(Literal::Vector([0.0, 0.0, 1.0])),
+                DefaultValue::Required => Binding::Literal(Literal::Vector([0.0, 0.0, 1.0])),
                 _ => Binding::Default,
             };
             let mut instead = shortcuts(graph, library, binding);

@@ -4,9 +4,9 @@ use std::time::Instant;
 
 use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
 use phenomenon_compiler::graph::{Binding, RootKind};
-use phenomenon_compiler::nodes::Type;
 use phenomenon_compiler::specialise::{MAX_NESTED_LOOPS, SpecialiseError, expand};
 use phenomenon_compiler::state::{RayType, State};
+use phenomenon_compiler::values::Type;
 use phenomenon_tests::build::{Build, Built, color, scalar, vector};
 use phenomenon_tests::differential::{Outcome, outcome};
 

@@ -10,7 +10,8 @@ use phenomenon_compiler::diagnostics::{Finding, Place, Severity};
 use phenomenon_compiler::document::{Document, all_mistakes, read, read_file};
 use phenomenon_compiler::engine::{Options, Shade, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::values::Literal;
 use phenomenon_runtime::monoliths;
 use phenomenon_runtime::render::CALLED_ROOTS;
 use phenomenon_runtime::scene::{

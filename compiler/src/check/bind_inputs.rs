@@ -4,7 +4,8 @@ use crate::diagnostics::synonyms;
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Member, Reader, ValueKind, shortened};
 use crate::graph::{Binding, Node, Root};
-use crate::nodes::{Default, Input, Kind, Literal, NodeType, Signature, Type};
+use crate::nodes::{DefaultValue, Input, Kind, NodeType, Signature};
+use crate::values::{Literal, Type};
 
 use super::MAX_NODES;
 use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
@@ -237,7 +238,7 @@ fn missing_inputs(
 ) {
     let drafted = &draft.nodes[node];
     for (at, input) in signature.inputs.iter().enumerate() {
-        let required = matches!(input.default, Default::Required) && !given[at];
+        let required = matches!(input.default, DefaultValue::Required) && !given[at];
         let meant = |given: &DraftInput<'_>| {
             given.input.is_none()
                 && (crate::document::nearest(&given.member.key, [input.name]).is_some()

@@ -6,7 +6,8 @@ use std::rc::Rc;
 
 use crate::document::{Member, Suggestion, Value, nearest};
 use crate::graph::{Parameter, RootKind};
-use crate::nodes::{NodeLibrary, NodeType, Type};
+use crate::nodes::{NodeLibrary, NodeType};
+use crate::values::Type;
 
 use super::nested::Nested;
 use super::shapes::Shape;

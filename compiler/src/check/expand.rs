@@ -5,7 +5,8 @@ use std::rc::Rc;
 use crate::diagnostics::Code;
 use crate::document::Reader;
 use crate::graph::{Binding, Graph, Node, Root};
-use crate::nodes::{Literal, NodeLibrary, Type};
+use crate::nodes::NodeLibrary;
+use crate::values::{Literal, Type};
 
 use super::MAX_NODES;
 use super::draft::Draft;

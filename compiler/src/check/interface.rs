@@ -7,7 +7,8 @@ use crate::diagnostics::synonyms;
 use crate::diagnostics::{Code, Finding};
 use crate::document::{MAX_FILE_BYTES, Member, Object, Reader, Value, ValueKind, shortened, shown};
 use crate::graph::Parameter;
-use crate::nodes::{FINITE, Literal, Type};
+use crate::nodes::FINITE;
+use crate::values::{Literal, Type};
 
 use super::draft::{Draft, DraftParameter};
 use super::literals::Room;

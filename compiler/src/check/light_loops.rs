@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, Value, shortened};
-use crate::nodes::{Default, Kind, NodeLibrary, NodeType};
+use crate::nodes::{DefaultValue, Kind, NodeLibrary, NodeType};
 use crate::state::Field;
 
 use super::draft::{Draft, Source, SourceKind};
@@ -24,15 +24,15 @@ fn is_of_light(library: &NodeLibrary, node_type: NodeType, output: Option<usize>
 /// Whether a default reads the light sample, through the implied nodes behind it.
 fn default_reads_light(
     library: &NodeLibrary,
-    default: &Default,
+    default: &DefaultValue,
     seen: &mut HashSet<NodeType>,
 ) -> bool {
     match default {
-        Default::State(field) => field.is_of_light(),
-        Default::Node(name) => library
+        DefaultValue::State(field) => field.is_of_light(),
+        DefaultValue::Node(name) => library
             .find(name)
             .is_some_and(|node_type| seen.insert(node_type) && implied(library, node_type, seen)),
-        Default::Required | Default::Literal(_) => false,
+        DefaultValue::Required | DefaultValue::Literal(_) => false,
     }
 }
 

@@ -1,7 +1,8 @@
 //! Nodes over lists, as the nodes they stand for.
 
 use crate::graph::{Binding, Node};
-use crate::nodes::{ListForm, Literal, NodeLibrary, NodeType, Type};
+use crate::nodes::{ListForm, NodeLibrary, NodeType};
+use crate::values::{Literal, Type};
 
 /// What a node over a list is given.
 pub(super) struct Values {

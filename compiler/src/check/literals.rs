@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::diagnostics::Code;
 use crate::document::{Reader, Value, ValueKind, numbers};
 use crate::graph::bind::is_affine;
-use crate::nodes::{Literal, Space, Texture, Type};
+use crate::values::{Literal, Space, Texture, Type};
 
 /// The type a literal has by itself: a number is a scalar, a list of three or four a color. None
 /// for what can only suit one type of place.

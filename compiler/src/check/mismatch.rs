@@ -2,7 +2,8 @@
 
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, shortened};
-use crate::nodes::{Default, Kind, NodeLibrary, Signature, Type};
+use crate::nodes::{DefaultValue, Kind, NodeLibrary, Signature};
+use crate::values::Type;
 
 use super::draft::{Draft, Source, SourceKind};
 use super::literals::with_article;
@@ -98,7 +99,7 @@ fn converter(signature: &Signature, from: Type, to: Type) -> Option<(usize, Stri
     let needs_more = signature
         .inputs
         .iter()
-        .any(|input| matches!(input.default, Default::Required) && input.value_type != from);
+        .any(|input| matches!(input.default, DefaultValue::Required) && input.value_type != from);
     if needs_more || !taken.contains(&true) {
         return None;
     }

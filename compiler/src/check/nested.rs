@@ -11,8 +11,9 @@ use crate::document::{
 };
 use crate::graph::{Binding, Graph, Root, RootKind};
 use crate::nodes::{
-    Default, Definition, FINITE, Input, Kind, NodeLibrary, Output, Overload, Signature, Type,
+    DefaultValue, Definition, FINITE, Input, Kind, NodeLibrary, Output, Overload, Signature,
 };
+use crate::values::Type;
 
 use super::draft::Draft;
 use super::graph::check;
@@ -323,7 +324,7 @@ fn definition(path: &str, nested: &Nested) -> Definition {
             name: interned(&parameter.name),
             doc: parameter.doc.clone(),
             value_type: parameter.value_type,
-            default: Default::Literal(parameter.default.clone()),
+            default: DefaultValue::Literal(parameter.default.clone()),
             range: parameter.range.clone(),
             avoid: None,
             guarded: false,

@@ -5,7 +5,8 @@ use std::ops::RangeInclusive;
 
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, Value, ValueKind, numbers, shortened, shown};
-use crate::nodes::{FINITE, Input, Literal};
+use crate::nodes::{FINITE, Input};
+use crate::values::Literal;
 
 use super::draft::{Draft, SourceKind};
 use super::intervals::{Intervals, Value as Known, described};

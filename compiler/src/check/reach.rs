@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, ValueKind, shortened};
-use crate::nodes::Type;
+use crate::values::Type;
 
 use super::draft::{Draft, DraftInput, DraftNode, DraftRoot, Source, SourceKind};
 

@@ -4,7 +4,7 @@
 use crate::diagnostics::synonyms;
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, Value, ValueKind, shortened};
-use crate::nodes::Type;
+use crate::values::Type;
 
 use super::draft::Draft;
 use super::literals::with_article;

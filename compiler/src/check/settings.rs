@@ -7,7 +7,7 @@ use crate::diagnostics::{Code, Finding, Place};
 use crate::document::{Document, Member, Reader, Value, ValueKind, nearest, read, shortened};
 use crate::graph::parts::{Part, Parts};
 use crate::graph::{BindError, Graph};
-use crate::nodes::{Literal, Type};
+use crate::values::{Literal, Type};
 
 use super::literals::{self, Room};
 use super::nested::{Files, OnDisk};

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use crate::diagnostics::{Code, Finding};
 use crate::document::{Member, Reader, Value, ValueKind, listed, nearest, shortened};
-use crate::nodes::Type;
+use crate::values::Type;
 
 use super::MAX_NODES;
 use super::draft::{Draft, Source, SourceKind};

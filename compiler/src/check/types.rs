@@ -1,6 +1,7 @@
 //! Types of generic nodes, resolved from what is connected to them.
 
-use crate::nodes::{NodeLibrary, NodeType, Type};
+use crate::nodes::{NodeLibrary, NodeType};
+use crate::values::Type;
 
 use super::draft::{Draft, DraftNode, Source, SourceKind};
 use super::literals::natural_type;

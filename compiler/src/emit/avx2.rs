@@ -9,8 +9,8 @@ use std::mem::MaybeUninit;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
 use super::{Emit, Int, Mask, Real, Select, Sink, Words};
-use crate::engine::lanes::{Lanes, Placement, Source};
-use crate::nodes::Body;
+use crate::emit::Body;
+use crate::storage::{Lanes, Placement, Source};
 
 /// The back end of eight `f32` points. Its existence proves that the CPU has AVX2 and FMA.
 #[derive(Clone, Copy, Debug)]
@@ -326,7 +326,7 @@ impl Sink<Avx2> for Outputs {
 #[cold]
 #[inline(never)]
 fn too_many_inputs<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
-    crate::engine::lanes::wide_portable::<B>(lanes, placement);
+    crate::kernels::wide_portable::<B>(lanes, placement);
 }
 
 /// Runs `B` over the blocks. Output slots may be input slots too: a body reads a block's inputs

@@ -4,7 +4,7 @@ use crate::schedule::Segment;
 
 use super::Simd;
 use super::execute::Program;
-use super::lanes::{Lanes, Placement};
+use crate::storage::{Lanes, Placement};
 
 /// How segments are run.
 #[derive(Clone, Copy)]

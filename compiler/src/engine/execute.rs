@@ -6,9 +6,9 @@ use crate::schedule::{Item, Loop, RegionId, Request, Schedule};
 use crate::specialise::Context;
 use crate::state::State;
 
-use super::lanes::{LANES, Lanes, Source};
 use super::walk::{answer_words, iteration_key, ray, texture_words};
 use super::{Shaded, batch::Runner};
+use crate::storage::{LANES, Lanes, Source};
 
 /// Bytes of slots a batch may fill; larger programs run fewer points at once.
 const MAX_FILE_BYTES: usize = 64 << 20;

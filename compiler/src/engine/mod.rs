@@ -3,7 +3,6 @@
 mod batch;
 pub mod execute;
 pub mod jit;
-pub mod lanes;
 mod memory;
 mod shader;
 pub mod walk;
@@ -15,8 +14,8 @@ use std::collections::BTreeSet;
 
 use crate::effects::{Effect, Renderer};
 use crate::graph::RootKind;
-use crate::nodes::Texture;
 use crate::state::State;
+use crate::values::Texture;
 
 /// What shading a point yields.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

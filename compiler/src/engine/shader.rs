@@ -7,10 +7,11 @@ use std::time::Instant;
 
 use crate::effects::{Effect, Renderer};
 use crate::graph::{Graph, Root, RootKind};
-use crate::nodes::{Literal, NodeLibrary, Texture};
+use crate::nodes::NodeLibrary;
 use crate::schedule::{Schedule, schedule};
 use crate::specialise::{InstanceKind, SpecialiseError, Specialised, Uniforms, expand};
 use crate::state::{RayType, State};
+use crate::values::{Literal, Texture};
 
 use super::execute::Program;
 use super::jit::{JitCode, JitError, Plan};

@@ -6,14 +6,14 @@
 //! stamped rather than emptied: nothing is hashed or allocated for a point.
 
 use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId};
-use crate::nodes::Code;
+use crate::kernels::BodyForms;
 use crate::specialise::{
     Context, EpochId, Instance, InstanceId, InstanceKind, Specialised, mix_key,
 };
 use crate::state::State;
 
-use super::lanes::Source;
 use super::{Shaded, Simd};
+use crate::storage::Source;
 
 /// Walks `graph` for each point, with the words its parameters are bound to.
 pub fn walk(
@@ -178,7 +178,7 @@ impl Walk<'_> {
         self.mark_done(frame.instance);
     }
 
-    fn run(&mut self, code: &Code, sources: &[Source], outputs: &mut [u32]) {
+    fn run(&mut self, code: &BodyForms, sources: &[Source], outputs: &mut [u32]) {
         let mut inputs = std::mem::take(&mut self.memory.inputs);
         inputs.clear();
         inputs.extend(sources.iter().map(|source| self.word(*source)));
@@ -201,7 +201,7 @@ impl Walk<'_> {
         self.memory.words[self.uniforms + slot as usize] = word;
     }
 
-    fn plain(&mut self, instance: &Instance, code: &Code) {
+    fn plain(&mut self, instance: &Instance, code: &BodyForms) {
         let mut outputs = [0; MAX_OUTPUTS];
         let outputs = &mut outputs[..instance.outputs as usize];
         self.run(code, &instance.words, outputs);

@@ -6,7 +6,7 @@ use super::parts::Parts;
 use super::{Graph, Parameter};
 use crate::document::numbers::{self, Whole};
 use crate::document::{listed, shortened, shown};
-use crate::nodes::{Literal, Space, Texture, Type};
+use crate::values::{Literal, Space, Texture, Type};
 
 /// Why a value cannot be bound to a parameter.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]

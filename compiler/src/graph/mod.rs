@@ -6,7 +6,8 @@ pub(crate) mod parts;
 mod requirements;
 mod with_root;
 
-use crate::nodes::{FINITE, Literal, NodeType, Type};
+use crate::nodes::{FINITE, NodeType};
+use crate::values::{Literal, Type};
 use std::ops::RangeInclusive;
 
 pub use bind::BindError;

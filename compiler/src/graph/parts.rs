@@ -136,7 +136,7 @@ fn beyond(of: &str, part: &Part<'_>, rest: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::nodes::Literal;
+    use crate::values::Literal;
 
     fn parameters() -> Vec<Parameter> {
         let names = [

@@ -6,8 +6,9 @@ use thiserror::Error;
 
 use super::{Binding, Graph, Node, Root, RootKind};
 use crate::check::reads_light;
-use crate::nodes::{Kind, NodeLibrary, NodeType, Type};
+use crate::nodes::{Kind, NodeLibrary, NodeType};
 use crate::state::Field;
+use crate::values::Type;
 
 /// Why an output cannot be a root.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]

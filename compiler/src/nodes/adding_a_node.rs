@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use super::{Literal, NodeLibrary};
+use super::NodeLibrary;
 use crate::check::check_graph;
 use crate::document;
 use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
 use crate::engine::{Engine, Options, Shade, Shaded, Shader};
 use crate::graph::RootKind;
 use crate::state::State;
+use crate::values::Literal;
 
 #[path = "../../../docs/adding-a-node/contrast.rs"]
 pub mod contrast;

@@ -3,9 +3,11 @@
 use std::ops::RangeInclusive;
 
 use super::harness::settled;
-use super::{Code, Definition, NodeLibrary, Overload, Type};
-use crate::engine::lanes::{LANES, Lanes, Placement, Source};
+use super::{Definition, NodeLibrary, Overload};
+use crate::kernels::BodyForms;
 use crate::ops::{Op, Tape, interpret};
+use crate::storage::{LANES, Lanes, Placement, Source};
+use crate::values::Type;
 
 /// Points tried per overload; a multiple of the lanes of a block.
 const POINTS: usize = 4096;
@@ -100,7 +102,7 @@ impl Trial {
     }
 
     /// The outputs of every point by the scalar form, after the other forms agreed.
-    fn run(&self, code: &Code) -> Vec<Vec<u32>> {
+    fn run(&self, code: &BodyForms) -> Vec<Vec<u32>> {
         let scalar = self.points_by(code.scalar, code.outputs);
         let portable = self.points_by(code.scalar_portable, code.outputs);
         let wide = self.blocks_by(code.wide, code.outputs);
@@ -150,7 +152,7 @@ impl Trial {
         (0..POINTS).map(|at| (0..outputs).map(|k| word(at, k)).collect()).collect()
     }
 
-    fn recorded(&self, code: &Code) -> Vec<Vec<u32>> {
+    fn recorded(&self, code: &BodyForms) -> Vec<Vec<u32>> {
         let tape = Tape::new();
         let loads: Vec<_> =
             (0..self.points[0].len() as u32).map(|n| tape.push(Op::Load(n))).collect();
@@ -178,7 +180,7 @@ fn canonical(words: &[u32]) -> Vec<u32> {
     words.iter().map(|&word| if word == u32::MAX { word } else { quiet(word) }).collect()
 }
 
-fn every_overload(mut visit: impl FnMut(&Definition, &Overload, &Code)) {
+fn every_overload(mut visit: impl FnMut(&Definition, &Overload, &BodyForms)) {
     let mut library = NodeLibrary::standard();
     library.add(super::adding_a_node::contrast::definition());
     for (_, definition) in library.iter() {
@@ -309,19 +311,20 @@ fn signatures_are_sound() {
 fn check_default(library: &NodeLibrary, name: &str, input: &super::Input) {
     let generic = input.value_type == Type::Generic;
     match &input.default {
-        super::Default::Required => {}
-        super::Default::Literal(literal) => {
+        super::DefaultValue::Required => {}
+        super::DefaultValue::Literal(literal) => {
             assert!(generic || literal.value_type() == input.value_type, "{name}.{}", input.name);
-            if let super::Literal::Scalar(value) = literal {
+            if let crate::values::Literal::Scalar(value) = literal {
                 assert!(input.range.contains(&f64::from(*value)), "{name}.{}", input.name);
             }
         }
-        super::Default::State(field) => assert_eq!(field.value_type(), input.value_type),
-        super::Default::Node(implied) => {
+        super::DefaultValue::State(field) => assert_eq!(field.value_type(), input.value_type),
+        super::DefaultValue::Node(implied) => {
             let implied = library.find(implied).expect("the implied node exists");
             let implied = library.signature(implied);
             assert_eq!(implied.outputs[0].value_type, input.value_type, "{name}.{}", input.name);
-            let given = |input: &super::Input| !matches!(input.default, super::Default::Required);
+            let given =
+                |input: &super::Input| !matches!(input.default, super::DefaultValue::Required);
             assert!(implied.inputs.iter().all(given), "{name}.{}", input.name);
         }
     }

@@ -1,7 +1,8 @@
 //! What the tests of nodes use: a body evaluated for one point, inputs by name.
 
-use super::{Default, Definition, Literal, Overload, Type};
+use super::{DefaultValue, Definition, Overload};
 use crate::state::State;
+use crate::values::{Literal, Type};
 
 impl From<f32> for Literal {
     fn from(value: f32) -> Self {
@@ -35,7 +36,7 @@ macro_rules! numbers {
     ($($input:ident = $value:expr),* => $output:ident) => {
         $crate::nodes::harness::numbers(
             &super::definition(),
-            &[$((stringify!($input), $crate::nodes::Literal::from($value))),*],
+            &[$((stringify!($input), $crate::values::Literal::from($value))),*],
             stringify!($output),
         )
     };
@@ -60,7 +61,7 @@ macro_rules! demanded {
     ($($input:ident = $value:expr),* => $guarded:ident) => {
         $crate::nodes::harness::demanded(
             &super::definition(),
-            &[$((stringify!($input), $crate::nodes::Literal::from($value))),*],
+            &[$((stringify!($input), $crate::values::Literal::from($value))),*],
             stringify!($guarded),
         )
     };
@@ -138,14 +139,14 @@ fn words(definition: &Definition, overload: &Overload, given: &[(&str, Literal)]
             continue;
         }
         match &input.default {
-            Default::Literal(Literal::Scalar(value)) => {
+            DefaultValue::Literal(Literal::Scalar(value)) => {
                 words.extend(std::iter::repeat_n(value.to_bits(), value_type.width()));
             }
-            Default::Literal(literal) => words.extend(literal.words()),
-            Default::State(field) => {
+            DefaultValue::Literal(literal) => words.extend(literal.words()),
+            DefaultValue::State(field) => {
                 words.extend(&field.read(&State::default())[..value_type.width()]);
             }
-            Default::Required | Default::Node(_) => {
+            DefaultValue::Required | DefaultValue::Node(_) => {
                 words.extend(std::iter::repeat_n(0, value_type.width()));
             }
         }

@@ -2,7 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::{Code, Signature, Type};
+use crate::kernels::BodyForms;
+use crate::values::Type;
+
+use super::Signature;
 
 /// A node for one type of its generic inputs, or the only form of a node without them.
 #[derive(Clone, Debug)]
@@ -10,9 +13,9 @@ pub struct Overload {
     /// The type [`Type::Generic`] stands for.
     pub generic: Option<Type>,
     /// The body; none for requests and loops.
-    pub code: Option<Code>,
+    pub code: Option<BodyForms>,
     /// Per input, the guard under which it is demanded.
-    pub guards: Vec<Option<Code>>,
+    pub guards: Vec<Option<BodyForms>>,
 }
 
 /// All there is to know of a node type.

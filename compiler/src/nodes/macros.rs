@@ -48,9 +48,9 @@ macro_rules! node {
                     [$($output [$($odoc)+] generic [$($orange)?];)+]
                     $crate::nodes::Kind::Plain),
                 overloads: vec![
-                    $crate::nodes::Overload { generic: Some($crate::nodes::Type::Scalar), code: Some($crate::nodes::Code::of::<ScalarBody>()), guards: $crate::node!(@generic_guards One [$($input : $itype,)*] [$([$($guard)?])*]) },
-                    $crate::nodes::Overload { generic: Some($crate::nodes::Type::Vector), code: Some($crate::nodes::Code::of::<VectorBody>()), guards: $crate::node!(@generic_guards Vector [$($input : $itype,)*] [$([$($guard)?])*]) },
-                    $crate::nodes::Overload { generic: Some($crate::nodes::Type::Color), code: Some($crate::nodes::Code::of::<ColorBody>()), guards: $crate::node!(@generic_guards Color [$($input : $itype,)*] [$([$($guard)?])*]) },
+                    $crate::nodes::Overload { generic: Some($crate::values::Type::Scalar), code: Some($crate::kernels::BodyForms::of::<ScalarBody>()), guards: $crate::node!(@generic_guards One [$($input : $itype,)*] [$([$($guard)?])*]) },
+                    $crate::nodes::Overload { generic: Some($crate::values::Type::Vector), code: Some($crate::kernels::BodyForms::of::<VectorBody>()), guards: $crate::node!(@generic_guards Vector [$($input : $itype,)*] [$([$($guard)?])*]) },
+                    $crate::nodes::Overload { generic: Some($crate::values::Type::Color), code: Some($crate::kernels::BodyForms::of::<ColorBody>()), guards: $crate::node!(@generic_guards Color [$($input : $itype,)*] [$([$($guard)?])*]) },
                 ],
             }
         }
@@ -101,7 +101,7 @@ macro_rules! node {
                     $crate::nodes::Kind::Scope(vec![$($crate::state::Field::$field),+])),
                 overloads: vec![$crate::nodes::Overload {
                     generic: None,
-                    code: Some($crate::nodes::Code::of::<NodeBody>()),
+                    code: Some($crate::kernels::BodyForms::of::<NodeBody>()),
                     guards: vec![$($crate::node!(@nothing $input),)* None],
                 }],
             }
@@ -128,7 +128,7 @@ macro_rules! node {
                     $crate::nodes::Kind::Plain),
                 overloads: vec![$crate::nodes::Overload {
                     generic: None,
-                    code: Some($crate::nodes::Code::of::<NodeBody>()),
+                    code: Some($crate::kernels::BodyForms::of::<NodeBody>()),
                     guards: $crate::node!(@guards [$($input : $itype,)*] [$([$($guard)?])*]),
                 }],
             }
@@ -154,7 +154,7 @@ macro_rules! node {
     (@body $result:ident, [$($input:ident : $itype:ident,)*], [$($output:ident : $otype:ident,)+]) => {
         struct NodeBody;
 
-        impl $crate::nodes::Body for NodeBody {
+        impl $crate::emit::Body for NodeBody {
             const OUTPUTS: usize = 0 $(+ $crate::node!(@width $otype))+;
             #[inline(always)]
             fn run<E: $crate::emit::Emit>(
@@ -191,7 +191,7 @@ macro_rules! node {
     (@generic_body $body:ident, $shape:ident, [$($input:ident : $itype:ident,)*], [$($output:ident : $otype:ident,)+]) => {
         struct $body;
 
-        impl $crate::nodes::Body for $body {
+        impl $crate::emit::Body for $body {
             const OUTPUTS: usize = 0 $(+ $crate::node!(@generic_width $shape, $otype))+;
             #[inline(always)]
             fn run<E: $crate::emit::Emit>(
@@ -281,7 +281,7 @@ macro_rules! node {
     (@guard $inputs:tt) => { None };
     (@guard [$($input:ident : $itype:ident,)*] $guard:ident) => {{
         struct Guard;
-        impl $crate::nodes::Body for Guard {
+        impl $crate::emit::Body for Guard {
             const OUTPUTS: usize = 1;
             #[inline(always)]
             fn run<E: $crate::emit::Emit>(
@@ -293,14 +293,14 @@ macro_rules! node {
                 sink.mask(0, $guard(emit, &inputs));
             }
         }
-        Some($crate::nodes::Code::of::<Guard>())
+        Some($crate::kernels::BodyForms::of::<Guard>())
     }};
 
     (@generic_guards $shape:ident $inputs:tt [$([$($guard:ident)?])*]) => { vec![$($crate::node!(@generic_guard $shape $inputs $($guard)?)),*] };
     (@generic_guard $shape:ident $inputs:tt) => { None };
     (@generic_guard $shape:ident [$($input:ident : $itype:ident,)*] $guard:ident) => {{
         struct Guard;
-        impl $crate::nodes::Body for Guard {
+        impl $crate::emit::Body for Guard {
             const OUTPUTS: usize = 1;
             #[inline(always)]
             fn run<E: $crate::emit::Emit>(
@@ -312,21 +312,21 @@ macro_rules! node {
                 sink.mask(0, $guard(emit, &inputs));
             }
         }
-        Some($crate::nodes::Code::of::<Guard>())
+        Some($crate::kernels::BodyForms::of::<Guard>())
     }};
 
-    (@kind scalar) => { $crate::nodes::Type::Scalar };
-    (@kind integer) => { $crate::nodes::Type::Integer };
-    (@kind boolean) => { $crate::nodes::Type::Boolean };
-    (@kind vector) => { $crate::nodes::Type::Vector };
-    (@kind color) => { $crate::nodes::Type::Color };
-    (@kind lights) => { $crate::nodes::Type::Lights };
-    (@kind light) => { $crate::nodes::Type::Light };
-    (@kind texture) => { $crate::nodes::Type::Texture };
-    (@kind string) => { $crate::nodes::Type::String };
-    (@kind transform) => { $crate::nodes::Type::Transform };
-    (@kind shader) => { $crate::nodes::Type::Shader };
-    (@kind generic) => { $crate::nodes::Type::Generic };
+    (@kind scalar) => { $crate::values::Type::Scalar };
+    (@kind integer) => { $crate::values::Type::Integer };
+    (@kind boolean) => { $crate::values::Type::Boolean };
+    (@kind vector) => { $crate::values::Type::Vector };
+    (@kind color) => { $crate::values::Type::Color };
+    (@kind lights) => { $crate::values::Type::Lights };
+    (@kind light) => { $crate::values::Type::Light };
+    (@kind texture) => { $crate::values::Type::Texture };
+    (@kind string) => { $crate::values::Type::String };
+    (@kind transform) => { $crate::values::Type::Transform };
+    (@kind shader) => { $crate::values::Type::Shader };
+    (@kind generic) => { $crate::values::Type::Generic };
 
     (@range) => { $crate::nodes::FINITE };
     (@range $range:expr) => { $range };

@@ -11,20 +11,16 @@ mod adding_a_node;
 #[cfg(test)]
 mod agreement;
 
-mod code;
 pub mod finite;
 mod library;
 pub mod reference;
 mod signature;
-mod types;
 
-pub use code::{Body, Code};
 pub use library::{Definition, NodeLibrary, NodeType, Overload, paragraph};
 pub use signature::{
-    Avoid, BLACK, Default, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE,
+    Avoid, BLACK, DefaultValue, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE,
     Signature, WHITE, node, required, state,
 };
-pub use types::{Literal, Space, Texture, Type};
 
 /// Declares the folders and files of nodes, and the list [`NodeLibrary::standard`] is made from.
 macro_rules! nodes {

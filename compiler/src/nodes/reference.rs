@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::ops::RangeInclusive;
 
 use super::{
-    Avoid, Default, Definition, FINITE, GROUPS, Kind, NOT_NEGATIVE, NodeLibrary, Signature,
+    Avoid, DefaultValue, Definition, FINITE, GROUPS, Kind, NOT_NEGATIVE, NodeLibrary, Signature,
 };
 
 /// `docs/nodes.md`: every node of `library` in Markdown, by group.
@@ -95,12 +95,12 @@ fn cell(text: &str) -> String {
     text.replace('\n', " ").replace('|', "\\|")
 }
 
-fn default(default: &Default) -> String {
+fn default(default: &DefaultValue) -> String {
     match default {
-        Default::Required => String::new(),
-        Default::Literal(literal) => format!("`{literal}`"),
-        Default::State(field) => format!("state: `{}`", field.name()),
-        Default::Node(name) => format!("[`{name}`](#{name})"),
+        DefaultValue::Required => String::new(),
+        DefaultValue::Literal(literal) => format!("`{literal}`"),
+        DefaultValue::State(field) => format!("state: `{}`", field.name()),
+        DefaultValue::Node(name) => format!("[`{name}`](#{name})"),
     }
 }
 

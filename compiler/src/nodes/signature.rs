@@ -5,11 +5,11 @@ use std::ops::RangeInclusive;
 use crate::effects::Effect;
 use crate::state::Field;
 
-use super::types::{Literal, Type};
+use crate::values::{Literal, Type};
 
 /// What an input is when nothing is given for it.
 #[derive(Clone, Debug)]
-pub enum Default {
+pub enum DefaultValue {
     /// It must be given.
     Required,
     /// A constant (also for a generic input: repeated over its components).
@@ -21,55 +21,55 @@ pub enum Default {
 }
 
 /// The input must be given.
-pub fn required() -> Default {
-    Default::Required
+pub fn required() -> DefaultValue {
+    DefaultValue::Required
 }
 /// The input is a field of the state.
-pub fn state(field: Field) -> Default {
-    Default::State(field)
+pub fn state(field: Field) -> DefaultValue {
+    DefaultValue::State(field)
 }
 /// The input is what an implied node yields.
-pub fn node(name: &'static str) -> Default {
-    Default::Node(name)
+pub fn node(name: &'static str) -> DefaultValue {
+    DefaultValue::Node(name)
 }
-impl From<bool> for Default {
+impl From<bool> for DefaultValue {
     fn from(value: bool) -> Self {
-        Default::Literal(Literal::Boolean(value))
+        DefaultValue::Literal(Literal::Boolean(value))
     }
 }
-impl From<i32> for Default {
+impl From<i32> for DefaultValue {
     fn from(value: i32) -> Self {
-        Default::Literal(Literal::Integer(value))
+        DefaultValue::Literal(Literal::Integer(value))
     }
 }
-impl From<f64> for Default {
+impl From<f64> for DefaultValue {
     fn from(value: f64) -> Self {
-        Default::Literal(Literal::Scalar(value as f32))
+        DefaultValue::Literal(Literal::Scalar(value as f32))
     }
 }
-impl From<[f64; 3]> for Default {
+impl From<[f64; 3]> for DefaultValue {
     fn from(value: [f64; 3]) -> Self {
-        Default::Literal(Literal::Vector(value.map(|x| x as f32)))
+        DefaultValue::Literal(Literal::Vector(value.map(|x| x as f32)))
     }
 }
-impl From<[f64; 4]> for Default {
+impl From<[f64; 4]> for DefaultValue {
     fn from(value: [f64; 4]) -> Self {
-        Default::Literal(Literal::Color(value.map(|x| x as f32)))
+        DefaultValue::Literal(Literal::Color(value.map(|x| x as f32)))
     }
 }
-impl From<&str> for Default {
+impl From<&str> for DefaultValue {
     fn from(value: &str) -> Self {
-        Default::Literal(Literal::String(value.to_owned()))
+        DefaultValue::Literal(Literal::String(value.to_owned()))
     }
 }
-impl From<Literal> for Default {
+impl From<Literal> for DefaultValue {
     fn from(value: Literal) -> Self {
-        Default::Literal(value)
+        DefaultValue::Literal(value)
     }
 }
-impl From<Vec<String>> for Default {
+impl From<Vec<String>> for DefaultValue {
     fn from(value: Vec<String>) -> Self {
-        Default::Literal(Literal::Lights(value))
+        DefaultValue::Literal(Literal::Lights(value))
     }
 }
 
@@ -104,7 +104,7 @@ pub struct Input {
     /// Its type.
     pub value_type: Type,
     /// What stands in when nothing is given.
-    pub default: Default,
+    pub default: DefaultValue,
     /// Values that may arrive, per component (colours: r, g and b).
     pub range: RangeInclusive<f64>,
     /// What should not arrive, though it is within the range.

@@ -3,7 +3,7 @@
 //! It shares nothing with [`crate::emit::scalar`], so that a slip in one shows against the other.
 
 use super::{Op, OpId, Segment};
-use crate::engine::lanes::{LANES, Lanes, Source};
+use crate::storage::{LANES, Lanes, Source};
 
 /// The word `op` yields. `load` gives the words of sources, `value` those of operands.
 pub fn evaluate(op: Op, load: impl Fn(u32) -> u32, value: impl Fn(OpId) -> u32) -> u32 {

@@ -1,6 +1,6 @@
 //! One operation, and the pure segment it stands in.
 
-use crate::engine::lanes::Source;
+use crate::storage::Source;
 
 /// Position of an operation on its tape; operands come before.
 pub type OpId = u32;

@@ -12,7 +12,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::{Op, OpId, Segment};
-use crate::engine::lanes::Source;
+use crate::storage::Source;
 
 /// Operations of a part that run well.
 pub const COMFORTABLE: usize = 80;

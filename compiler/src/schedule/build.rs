@@ -1,7 +1,7 @@
 //! From a specialised graph to its schedule.
 
-use crate::engine::lanes::Source;
 use crate::specialise::{EpochId, Instance, InstanceId, InstanceKind, Specialised};
+use crate::storage::Source;
 
 use super::{Item, Loop, Region, RegionId, Request, Schedule, Segment, Step};
 

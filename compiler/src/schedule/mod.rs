@@ -16,10 +16,11 @@ mod print;
 pub use build::schedule;
 
 use crate::effects::Effect;
-use crate::engine::lanes::Source;
-use crate::nodes::{Code, Texture};
+use crate::kernels::BodyForms;
 use crate::specialise::{Context, EpochId, LightTable};
 use crate::state::Field;
+use crate::storage::Source;
+use crate::values::Texture;
 
 /// Position in [`Schedule::regions`].
 pub type RegionId = usize;
@@ -89,7 +90,7 @@ pub struct Step {
     /// The node, for printing.
     pub name: String,
     /// Its code.
-    pub code: Code,
+    pub code: BodyForms,
     /// Its input words.
     pub words: Vec<Source>,
     /// First slot of its output words.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::engine::lanes::Source;
+use crate::storage::Source;
 
 use super::{Item, Schedule};
 

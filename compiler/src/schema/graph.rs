@@ -6,7 +6,8 @@ use super::{described, object, reference};
 use crate::check::MAX_SHADERS;
 use crate::document::FORMAT;
 use crate::graph::RootKind;
-use crate::nodes::{Default, Input, NodeLibrary, Signature, Space, Type};
+use crate::nodes::{DefaultValue, Input, NodeLibrary, Signature};
+use crate::values::{Space, Type};
 
 /// Adds the definition `graph` and what it needs.
 pub(super) fn define(library: &NodeLibrary, definitions: &mut Map<String, Value>) {
@@ -268,16 +269,16 @@ fn node(library: &NodeLibrary) -> Value {
 
 fn required_inputs(signature: &Signature) -> Vec<&'static str> {
     let required =
-        signature.inputs.iter().filter(|input| matches!(input.default, Default::Required));
+        signature.inputs.iter().filter(|input| matches!(input.default, DefaultValue::Required));
     required.map(|input| input.name).collect()
 }
 
 fn input_schema(input: &Input) -> Value {
     let default = match &input.default {
-        Default::Required => String::new(),
-        Default::Literal(_) => " Has a default.".into(),
-        Default::State(field) => format!(" By default the state's {}.", field.name()),
-        Default::Node(name) => format!(" By default what `{name}` yields."),
+        DefaultValue::Required => String::new(),
+        DefaultValue::Literal(_) => " Has a default.".into(),
+        DefaultValue::State(field) => format!(" By default the state's {}.", field.name()),
+        DefaultValue::Node(name) => format!(" By default what `{name}` yields."),
     };
     let doc = format!("{}{default}", input.doc);
     if input.list {

@@ -1,7 +1,8 @@
 //! What is drawn: cards with sockets, and wires between them, before anything has a place.
 
 use crate::graph::{Binding, Graph, Root};
-use crate::nodes::{Default, Definition, Input, NodeLibrary, Type};
+use crate::nodes::{DefaultValue, Definition, Input, NodeLibrary};
+use crate::values::Type;
 
 use super::ShowError;
 use super::dead::{Dead, mark_dead};
@@ -267,10 +268,10 @@ impl<'a> Builder<'a> {
     fn input(&self, at: (usize, usize), input: &Input, binding: &Binding) -> InputSocket {
         let value_type = self.settled(at.0, input.value_type);
         let stands_in = || match &input.default {
-            Default::Literal(_) | Default::Required => {
+            DefaultValue::Literal(_) | DefaultValue::Required => {
                 Given::Default(values::default(&input.default, value_type))
             }
-            Default::State(_) | Default::Node(_) => {
+            DefaultValue::State(_) | DefaultValue::Node(_) => {
                 Given::Implied(implied(self.library, &input.default))
             }
         };

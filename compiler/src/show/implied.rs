@@ -4,7 +4,8 @@
 use std::fmt::Write;
 
 use crate::effects::Effect;
-use crate::nodes::{Default, Kind, NodeLibrary, Type};
+use crate::nodes::{DefaultValue, Kind, NodeLibrary};
+use crate::values::Type;
 
 use super::theme::Accent;
 use super::values;
@@ -53,11 +54,11 @@ pub(super) fn badge(kind: &Kind) -> Option<Badge> {
 }
 
 /// What `default` stands for.
-pub(super) fn implied(library: &NodeLibrary, default: &Default) -> Implied {
+pub(super) fn implied(library: &NodeLibrary, default: &DefaultValue) -> Implied {
     let text = values::default(default, Type::Generic).text;
     let asks = asks(library, default, DEEPEST);
     let accent = match default {
-        Default::State(_) => Some(Accent::State),
+        DefaultValue::State(_) => Some(Accent::State),
         _ => asks.as_ref().map(|badge| badge.accent),
     };
     let mut told = String::new();
@@ -66,8 +67,8 @@ pub(super) fn implied(library: &NodeLibrary, default: &Default) -> Implied {
 }
 
 /// The first request among a default's node and what that reads by default.
-fn asks(library: &NodeLibrary, default: &Default, deepest: usize) -> Option<Badge> {
-    let (Default::Node(name), Some(deepest)) = (default, deepest.checked_sub(1)) else {
+fn asks(library: &NodeLibrary, default: &DefaultValue, deepest: usize) -> Option<Badge> {
+    let (DefaultValue::Node(name), Some(deepest)) = (default, deepest.checked_sub(1)) else {
         return None;
     };
     let signature = library.signature(library.find(name)?);
@@ -78,9 +79,9 @@ fn asks(library: &NodeLibrary, default: &Default, deepest: usize) -> Option<Badg
 }
 
 /// Writes `lambert(normal = state.normal, …)`.
-fn tell(library: &NodeLibrary, default: &Default, deepest: usize, told: &mut String) {
+fn tell(library: &NodeLibrary, default: &DefaultValue, deepest: usize, told: &mut String) {
     told.push_str(&values::default(default, Type::Generic).text);
-    let Default::Node(name) = default else { return };
+    let DefaultValue::Node(name) = default else { return };
     let Some(node_type) = library.find(name) else { return };
     let inputs = &library.signature(node_type).inputs;
     let Some(deepest) = deepest.checked_sub(1).filter(|_| told.len() < LONGEST) else {

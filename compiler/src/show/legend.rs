@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::nodes::Type;
+use crate::values::Type;
 
 use super::diagram::{Diagram, Given};
 use super::marks::Look;

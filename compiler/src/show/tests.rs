@@ -10,7 +10,8 @@ use super::diagram::{Diagram, Wire};
 use super::layout::{Layout, Place, layout};
 use super::{MAX_BOXES, ShowError, draw_dot, draw_svg};
 use crate::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
-use crate::nodes::{Literal, NodeLibrary};
+use crate::nodes::NodeLibrary;
+use crate::values::Literal;
 
 fn empty(name: &str) -> Graph {
     Graph { name: name.into(), version: 1, ..Graph::default() }
@@ -59,7 +60,7 @@ fn small(library: &NodeLibrary) -> Graph {
 
 fn color_overload(library: &NodeLibrary, name: &str) -> usize {
     let definition = library.definition(library.find(name).expect("a node of the library"));
-    let color = Some(crate::nodes::Type::Color);
+    let color = Some(crate::values::Type::Color);
     definition
         .overloads
         .iter()

@@ -1,6 +1,6 @@
 //! Colours, shapes and sizes of a drawing.
 
-use crate::nodes::Type;
+use crate::values::Type;
 
 use super::text::Font;
 

@@ -1,6 +1,7 @@
 //! Literals as the few characters a box has room for.
 
-use crate::nodes::{Default, Literal, Type};
+use crate::nodes::DefaultValue;
+use crate::values::{Literal, Type};
 
 /// What stands beside an input.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,16 +47,16 @@ pub(super) fn literal(literal: &Literal) -> Value {
 }
 
 /// What stands in where nothing is given.
-pub(super) fn default(default: &Default, value_type: Type) -> Value {
+pub(super) fn default(default: &DefaultValue, value_type: Type) -> Value {
     match default {
-        Default::Literal(value) => match value.converted_to(value_type) {
+        DefaultValue::Literal(value) => match value.converted_to(value_type) {
             Some(value) => literal(&value),
             None => literal(value),
         },
-        Default::State(field) => Value::plain(format!("state.{}", field.name())),
-        Default::Node(name) => Value::plain(*name),
+        DefaultValue::State(field) => Value::plain(format!("state.{}", field.name())),
+        DefaultValue::Node(name) => Value::plain(*name),
         // The checker refuses it; a graph made by hand may still have it.
-        Default::Required => Value::plain("missing"),
+        DefaultValue::Required => Value::plain("missing"),
     }
 }
 
@@ -102,7 +103,7 @@ mod tests {
 
     #[test]
     fn defaults_are_told_in_the_type_of_the_input() {
-        let value = default(&Default::Literal(Literal::Scalar(1.0)), Type::Color);
+        let value = default(&DefaultValue::Literal(Literal::Scalar(1.0)), Type::Color);
         assert_eq!(value.swatch, Some([1.0; 3]));
         assert_eq!(default(&crate::nodes::node("mix"), Type::Vector).text, "mix");
         assert_eq!(

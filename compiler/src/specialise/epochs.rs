@@ -1,8 +1,8 @@
 //! Epochs: the stretches of time over which a node has one value.
 
 use super::{FieldSet, InstanceId};
-use crate::engine::lanes::Source;
 use crate::state::Field;
+use crate::storage::Source;
 
 /// Position in [`Epochs`].
 pub type EpochId = usize;

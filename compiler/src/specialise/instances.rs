@@ -1,9 +1,10 @@
 //! The data of a specialised graph.
 
 use crate::effects::Effect;
-use crate::engine::lanes::Source;
-use crate::nodes::{Code, Texture};
+use crate::kernels::BodyForms;
 use crate::state::Field;
+use crate::storage::Source;
+use crate::values::Texture;
 
 use super::{EpochId, Epochs, Uniforms};
 
@@ -33,7 +34,7 @@ pub struct Instance {
 #[derive(Clone, Debug)]
 pub enum InstanceKind {
     /// By a body.
-    Plain(Code),
+    Plain(BodyForms),
     /// By the renderer.
     Request {
         /// What is asked.
@@ -82,7 +83,7 @@ pub struct Demand {
 #[derive(Clone, Debug)]
 pub struct Guard {
     /// One word, a mask.
-    pub code: Code,
+    pub code: BodyForms,
     /// Its input words.
     pub words: Vec<Source>,
 }

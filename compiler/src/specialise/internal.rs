@@ -2,7 +2,8 @@
 
 use std::sync::LazyLock;
 
-use crate::nodes::{Code, Definition};
+use crate::kernels::BodyForms;
+use crate::nodes::Definition;
 
 /// The root of a phenomenon: ok is asked first, and the colour only where it holds.
 pub mod root {
@@ -73,8 +74,8 @@ pub fn root_definition() -> &'static Definition {
 }
 
 /// The code of [`integer_to_scalar`].
-pub fn integer_to_scalar_code() -> Code {
-    static CODE: LazyLock<Option<Code>> =
+pub fn integer_to_scalar_code() -> BodyForms {
+    static CODE: LazyLock<Option<BodyForms>> =
         LazyLock::new(|| integer_to_scalar::definition().overloads[0].code);
     CODE.expect("a plain node has a body")
 }

@@ -3,8 +3,9 @@
 
 use std::collections::HashMap;
 
-use crate::engine::lanes::Source;
-use crate::nodes::{Code, Literal};
+use crate::kernels::BodyForms;
+use crate::storage::Source;
+use crate::values::Literal;
 
 /// The uniform words of a specialised graph and how to compute them.
 #[derive(Clone, Debug, Default)]
@@ -19,7 +20,7 @@ pub struct Uniforms {
 /// A node over uniform words alone.
 #[derive(Clone, Debug)]
 struct Computed {
-    code: Code,
+    code: BodyForms,
     inputs: Vec<u32>,
     output: u32,
 }
@@ -27,7 +28,7 @@ struct Computed {
 /// A guard over uniform words alone, whose outcome shaped the code.
 #[derive(Clone, Debug)]
 struct Decision {
-    code: Code,
+    code: BodyForms,
     inputs: Vec<u32>,
     outcome: bool,
 }
@@ -76,7 +77,7 @@ impl Uniforms {
     }
 
     /// The outputs of `code` over uniform words.
-    pub fn compute(&mut self, code: Code, inputs: Vec<u32>) -> Vec<Source> {
+    pub fn compute(&mut self, code: BodyForms, inputs: Vec<u32>) -> Vec<Source> {
         let output = self.values.len() as u32;
         self.values.resize(self.values.len() + code.outputs, 0);
         let computed = Computed { code, inputs, output };
@@ -86,7 +87,7 @@ impl Uniforms {
     }
 
     /// The outcome of a guard over uniform words; remembered as one that shaped the code.
-    pub fn decide(&mut self, code: Code, inputs: Vec<u32>) -> bool {
+    pub fn decide(&mut self, code: BodyForms, inputs: Vec<u32>) -> bool {
         let mut decision = Decision { code, inputs, outcome: false };
         decision.outcome = decision.run(&self.values);
         let outcome = decision.outcome;

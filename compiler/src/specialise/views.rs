@@ -4,8 +4,9 @@
 use std::collections::HashMap;
 
 use crate::graph::{Binding, Graph, Root};
-use crate::nodes::{Default, Definition, Literal, NodeLibrary, Overload, Signature, Type};
+use crate::nodes::{DefaultValue, Definition, NodeLibrary, Overload, Signature};
 use crate::state::Field;
+use crate::values::{Literal, Type};
 
 use super::{SpecialiseError, internal};
 
@@ -83,12 +84,12 @@ impl<'a> Views<'a> {
         let mut missing = Vec::new();
         for (input, binding) in definition.signature.inputs.iter().zip(bindings) {
             match (&input.default, binding) {
-                (Default::Node(implied), Binding::Default)
+                (DefaultValue::Node(implied), Binding::Default)
                     if !self.implied.contains_key(implied) =>
                 {
                     missing.push(*implied);
                 }
-                (Default::Required, Binding::Default) => {
+                (DefaultValue::Required, Binding::Default) => {
                     return Err(inconsistent(name, &format!("input `{}` is missing", input.name)));
                 }
                 _ => {}
@@ -177,13 +178,15 @@ impl<'a> Views<'a> {
             Binding::Parameter(parameter) => Resolved::Parameter(*parameter),
             Binding::Node { node, output } => Resolved::Node { view: *node, output: *output },
             Binding::Default => match &self.signature(view).inputs[input].default {
-                Default::Literal(literal) => {
+                DefaultValue::Literal(literal) => {
                     Resolved::Literal(repeated(literal, self.input_type(view, input)))
                 }
-                Default::State(field) => Resolved::State(*field),
-                Default::Node(implied) => Resolved::Node { view: self.implied[implied], output: 0 },
+                DefaultValue::State(field) => Resolved::State(*field),
+                DefaultValue::Node(implied) => {
+                    Resolved::Node { view: self.implied[implied], output: 0 }
+                }
                 // Refused in `new`.
-                Default::Required => Resolved::Literal(Literal::Lights(Vec::new())),
+                DefaultValue::Required => Resolved::Literal(Literal::Lights(Vec::new())),
             },
         }
     }

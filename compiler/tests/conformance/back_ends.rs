@@ -1,8 +1,8 @@
 //! The back ends under test, each as a function from rows of inputs to rows of outputs.
 
 use phenomenon_compiler::engine::jit::JitCode;
-use phenomenon_compiler::engine::lanes::{LANES, Lanes, Placement, Source};
 use phenomenon_compiler::ops::{Segment, dead, fold, split};
+use phenomenon_compiler::storage::{LANES, Lanes, Placement, Source};
 
 use crate::cases::Case;
 use crate::reference;

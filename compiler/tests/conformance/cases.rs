@@ -1,10 +1,11 @@
 //! The operations and functions under test, one line each.
 
+use phenomenon_compiler::emit::Body;
 use phenomenon_compiler::emit::functions::{self, conventions};
 use phenomenon_compiler::emit::{
     Components, Emit, Int, Mask, Real, Sink, Words, read_vector, write_vector,
 };
-use phenomenon_compiler::nodes::{Body, Code};
+use phenomenon_compiler::kernels::BodyForms;
 
 /// What the 32 bits of a word mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +22,7 @@ pub struct Case {
     /// Whether it is one operation, and so checked against its definition directly.
     pub primitive: bool,
     /// The code.
-    pub code: Code,
+    pub code: BodyForms,
     /// Its input words.
     pub inputs: &'static [Word],
     /// Its output words.
@@ -54,7 +55,7 @@ macro_rules! case {
         $list.push(Case {
             name: stringify!($name),
             primitive: $primitive,
-            code: Code::of::<Tested>(),
+            code: BodyForms::of::<Tested>(),
             inputs: INPUTS.concat().leak(),
             outputs: case!(@word $out),
         });

@@ -96,7 +96,7 @@ fn outputs_may_take_the_slots_of_the_inputs() {
 
 #[test]
 fn a_source_outside_the_file_is_refused() {
-    use phenomenon_compiler::engine::lanes::{Lanes, Placement, Source};
+    use phenomenon_compiler::storage::{Lanes, Placement, Source};
     let case = &cases()[0];
     for (sources, output) in [
         ([Source::Slot(0), Source::Slot(9)], 0),

@@ -1,7 +1,7 @@
 //! What must fold, what must not, and that folding changes no bit.
 
-use phenomenon_compiler::engine::lanes::Source;
 use phenomenon_compiler::ops::{Op, Segment, dead, fold};
+use phenomenon_compiler::storage::Source;
 
 use crate::random::Case;
 use crate::samples::Random;

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use phenomenon_compiler::engine::jit::{JitCode, JitError};
-use phenomenon_compiler::engine::lanes::{LANES, Lanes, Source};
 use phenomenon_compiler::ops::{Op, Segment, dead, fold, split};
+use phenomenon_compiler::storage::{LANES, Lanes, Source};
 
 use crate::random::Case;
 use crate::samples::{File, Kind, Random, yields};

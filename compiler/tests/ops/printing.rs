@@ -1,7 +1,7 @@
 //! Segments as text.
 
-use phenomenon_compiler::engine::lanes::Source;
 use phenomenon_compiler::ops::{Op, Segment, dead};
+use phenomenon_compiler::storage::Source;
 
 fn segment() -> Segment {
     Segment {

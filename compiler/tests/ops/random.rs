@@ -1,7 +1,7 @@
 //! Random segments: every operation, constants, uniforms, slots.
 
-use phenomenon_compiler::engine::lanes::{LANES, Lanes, Source};
 use phenomenon_compiler::ops::{Op, OpId, Segment};
+use phenomenon_compiler::storage::{LANES, Lanes, Source};
 
 use crate::samples::{File, Kind, Random, yields};
 

@@ -1,7 +1,7 @@
 //! Hard words, and comparing what segments leave in their files.
 
-use phenomenon_compiler::engine::lanes::{LANES, Lanes};
 use phenomenon_compiler::ops::{Op, OpId, Segment, interpret};
+use phenomenon_compiler::storage::{LANES, Lanes};
 
 /// Numbers that break careless code.
 pub const REALS: &[f32] = &[

@@ -1,7 +1,7 @@
 //! Cutting long segments: the parts together do what the whole does.
 
-use phenomenon_compiler::engine::lanes::Source;
 use phenomenon_compiler::ops::{Op, Segment, split};
+use phenomenon_compiler::storage::Source;
 
 use crate::random::Case;
 use crate::samples::{File, Kind, Random};

@@ -3,7 +3,7 @@
 use std::io::{BufRead, BufReader, Seek};
 use std::path::Path;
 
-use phenomenon_compiler::nodes::Space;
+use phenomenon_compiler::values::Space;
 
 use super::alpha::mapped;
 use super::buffer::{Film, SizeError};

@@ -1,7 +1,7 @@
 //! Finding a monolith by the name of its graph.
 
 use phenomenon_compiler::engine::Shade;
-use phenomenon_compiler::nodes::{Literal, Type};
+use phenomenon_compiler::values::{Literal, Type};
 
 use super::pointwise::{Parameter, PointShader, Pointwise};
 use super::{AdvancedGlass, CheckerFloor, ConstantSimple, GradientSky, Rainbow, TintedMirror};

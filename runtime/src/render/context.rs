@@ -7,8 +7,8 @@ use phenomenon_compiler::effects::{
 };
 use phenomenon_compiler::engine::{Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::nodes::Texture;
 use phenomenon_compiler::state::{RayType, State};
+use phenomenon_compiler::values::Texture;
 
 use super::clock::{Clock, Who};
 use super::lighting::Occluder;

@@ -7,7 +7,7 @@ use phenomenon_compiler::check::{Files, Setting, bind_settings};
 use phenomenon_compiler::diagnostics::{Code, Finding, Place, listed};
 use phenomenon_compiler::document::{Document, Value, ValueKind, nearest};
 use phenomenon_compiler::graph::{Binding, Graph};
-use phenomenon_compiler::nodes::Literal;
+use phenomenon_compiler::values::Literal;
 
 use super::description::{GraphUse, MaterialRef};
 use super::file::LightNames;

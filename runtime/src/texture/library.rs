@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use phenomenon_compiler::effects::TextureId;
-use phenomenon_compiler::nodes::{Space, Texture};
+use phenomenon_compiler::values::{Space, Texture};
 
 use super::Picture;
 use crate::film::{self, FilmError};

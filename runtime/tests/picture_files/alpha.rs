@@ -1,6 +1,6 @@
 //! Straight and associated alpha.
 
-use phenomenon_compiler::nodes::{Space, Texture};
+use phenomenon_compiler::values::{Space, Texture};
 use phenomenon_runtime::film::{Film, encode, read, read_as, srgb_decoded, write};
 use phenomenon_runtime::texture::Textures;
 

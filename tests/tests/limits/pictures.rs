@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::path::Path;
 
-use phenomenon_compiler::nodes::{Space, Texture};
+use phenomenon_compiler::values::{Space, Texture};
 use phenomenon_runtime::film::{
     CHANNEL_LIMIT, CHUNK_BYTES_LIMIT, CHUNK_LIMIT, DECODER_BYTES_LIMIT, FILE_BYTES_LIMIT, Film,
     HEADER_BYTES_LIMIT, PART_LIMIT, PIXEL_LIMIT, SIDE_LIMIT, read, read_header, write,

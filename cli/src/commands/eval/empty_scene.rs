@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use phenomenon_compiler::effects::{
     Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId,
 };
-use phenomenon_compiler::nodes::Texture;
 use phenomenon_compiler::state::State;
+use phenomenon_compiler::values::Texture;
 use phenomenon_runtime::texture::{TextureError, Textures};
 
 /// See the module.

@@ -12,8 +12,9 @@ use clap::{Args, ValueHint};
 use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded};
 use phenomenon_compiler::graph::{Binding, Graph, RootKind};
-use phenomenon_compiler::nodes::{Literal, NodeLibrary};
+use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
+use phenomenon_compiler::values::Literal;
 
 use self::empty_scene::EmptyScene;
 use self::values::Evaluation;

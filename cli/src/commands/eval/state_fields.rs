@@ -2,8 +2,8 @@
 
 use phenomenon_compiler::document::nearest;
 use phenomenon_compiler::document::numbers::{self, Whole};
-use phenomenon_compiler::nodes::{Literal, Type};
 use phenomenon_compiler::state::{Field, RayType, State};
+use phenomenon_compiler::values::{Literal, Type};
 
 use crate::arguments::Assignment;
 use crate::failure::Failure;

@@ -1,6 +1,6 @@
 //! What was evaluated, as text.
 
-use phenomenon_compiler::nodes::Type;
+use phenomenon_compiler::values::Type;
 use serde_json::{Map, Value};
 
 use crate::numbers::{digits, number};

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use phenomenon_compiler::nodes::{Default, Input, Kind, Signature, Type};
+use phenomenon_compiler::nodes::{DefaultValue, Input, Kind, Signature};
+use phenomenon_compiler::values::Type;
 
 use super::search::{Hit, Place};
 use super::{Group, first_sentence};
@@ -98,12 +99,12 @@ fn facts(input: &Input) -> String {
     facts
 }
 
-fn default(default: &Default) -> String {
+fn default(default: &DefaultValue) -> String {
     match default {
-        Default::Required => ", must be given".into(),
-        Default::Literal(literal) => format!(" = {literal}"),
-        Default::State(field) => format!(" = state.{}", field.name()),
-        Default::Node(name) => format!(" = {name}"),
+        DefaultValue::Required => ", must be given".into(),
+        DefaultValue::Literal(literal) => format!(" = {literal}"),
+        DefaultValue::State(field) => format!(" = state.{}", field.name()),
+        DefaultValue::Node(name) => format!(" = {name}"),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Nodes as JSON, version 1.
 
-use phenomenon_compiler::nodes::{Default, Input, Kind, Literal, Output, Signature, Type};
+use phenomenon_compiler::nodes::{DefaultValue, Input, Kind, Output, Signature};
+use phenomenon_compiler::values::{Literal, Type};
 use serde_json::{Map, Value, json};
 
 use super::Group;
@@ -54,10 +55,10 @@ fn described(node: &Signature) -> Value {
 fn input(input: &Input) -> Value {
     let mut object = socket(input.name, &input.doc, input.value_type);
     let default = match &input.default {
-        Default::Required => None,
-        Default::Literal(literal) => Some(value(literal)),
-        Default::State(field) => Some(json!({ "state": field.name() })),
-        Default::Node(name) => Some(json!({ "node": name })),
+        DefaultValue::Required => None,
+        DefaultValue::Literal(literal) => Some(value(literal)),
+        DefaultValue::State(field) => Some(json!({ "state": field.name() })),
+        DefaultValue::Node(name) => Some(json!({ "node": name })),
     };
     object.insert("required".into(), default.is_none().into());
     if let Some(default) = default {

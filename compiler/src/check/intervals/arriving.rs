@@ -1,7 +1,8 @@
 //! What arrives at a node.
 
 use crate::emit::interval::Word;
-use crate::nodes::{Definition, Overload, Type};
+use crate::nodes::{Definition, Overload};
+use crate::values::Type;
 
 use super::given::is_alpha;
 use super::value::Value;

@@ -4,8 +4,9 @@ use std::ops::RangeInclusive;
 
 use crate::emit::interval::{Interval, Whole, Word, tag};
 use crate::graph::Parameter;
-use crate::nodes::{FINITE, Literal, Type};
+use crate::nodes::FINITE;
 use crate::state::Field;
+use crate::values::{Literal, Type};
 
 use super::value::{Reached, Value, name_of, number};
 

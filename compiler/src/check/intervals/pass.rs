@@ -5,7 +5,8 @@ use std::collections::HashMap;
 use crate::check::draft::Draft;
 use crate::emit::interval::{Word, tag};
 use crate::graph::{Binding, Node};
-use crate::nodes::{Default, Definition, FINITE, Kind, NodeType, Overload, Type};
+use crate::nodes::{DefaultValue, Definition, FINITE, Kind, NodeType, Overload};
+use crate::values::Type;
 
 use super::arriving::{Arriving, Fit, of_overload, settled};
 use super::demands::{self, Guards};
@@ -142,11 +143,11 @@ impl<'n> Intervals<'n> {
 }
 
 /// What stands in for an input that is not given, an implied node aside.
-fn default(default: &Default, to: Type, into: &mut Vec<Value>) {
+fn default(default: &DefaultValue, to: Type, into: &mut Vec<Value>) {
     match default {
-        Default::Literal(literal) => given::literal(literal, to, into),
-        Default::State(field) => given::field(*field, into),
-        Default::Required | Default::Node(_) => given::unknown(to, into),
+        DefaultValue::Literal(literal) => given::literal(literal, to, into),
+        DefaultValue::State(field) => given::field(*field, into),
+        DefaultValue::Required | DefaultValue::Node(_) => given::unknown(to, into),
     }
 }
 
@@ -166,7 +167,7 @@ impl Pass<'_, '_> {
         let mut arriving = Arriving::new(definition.signature.inputs.len());
         for input in 0..definition.signature.inputs.len() {
             let implied = match (&definition.signature.inputs[input].default, &node.inputs[input]) {
-                (Default::Node(name), Binding::Default) => draft.library.find(name),
+                (DefaultValue::Node(name), Binding::Default) => draft.library.find(name),
                 _ => None,
             };
             match implied {

@@ -1,7 +1,7 @@
 //! What outputs surely come to be: the body is run at the ends of what its inputs reach.
 
 use crate::emit::interval::Word;
-use crate::nodes::Code;
+use crate::kernels::BodyForms;
 
 use super::value::{Reached, Value, number};
 
@@ -12,7 +12,7 @@ const WITH_MIDDLE: usize = 3;
 
 /// For each output word what it reaches; none where that is not known. `sets` are the outputs of the
 /// body's intervals, which tell what each of them reads.
-pub fn reached(code: &Code, inputs: &[Value], sets: &[Word]) -> Vec<Option<Reached>> {
+pub fn reached(code: &BodyForms, inputs: &[Value], sets: &[Word]) -> Vec<Option<Reached>> {
     let mut found = vec![None; sets.len()];
     if sets.iter().all(|set| lacks(inputs, set.reads())) {
         return found;
@@ -128,7 +128,8 @@ fn is_connected(inputs: &[Value], set: &Word) -> bool {
 mod tests {
     use super::*;
     use crate::check::intervals::given;
-    use crate::nodes::{NodeLibrary, Type};
+    use crate::nodes::NodeLibrary;
+    use crate::values::Type;
 
     /// What the first output of a scalar node reaches for inputs in these ranges, `sources` being
     /// what they depend on.

@@ -3,7 +3,7 @@
 use crate::document::shown;
 use crate::emit::Emit;
 use crate::emit::interval::{Interval, Intervals, Truth, Whole, Word, derived};
-use crate::nodes::Type;
+use crate::values::Type;
 
 /// Every source there is: of what nothing is known, not even what it depends on.
 pub const ANY_SOURCE: u64 = u64::MAX;

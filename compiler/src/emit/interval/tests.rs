@@ -1,9 +1,12 @@
 //! What a body yields lies in the set its intervals give, for every operation, function and node.
 
 use super::{Interval, Truth, Whole, Word};
+use crate::emit::Body;
 use crate::emit::functions::{self, conventions};
 use crate::emit::{Emit, Int, Mask, Real, Sink, Words};
-use crate::nodes::{Body, Code, NodeLibrary, Type};
+use crate::kernels::BodyForms;
+use crate::nodes::NodeLibrary;
+use crate::values::Type;
 
 /// Boxes tried per body, and points within each.
 const BOXES: usize = 1000;
@@ -149,7 +152,7 @@ impl Random {
 }
 
 /// Runs one body over boxes of inputs of these types.
-fn hold(name: &str, code: &Code, types: &[Type]) {
+fn hold(name: &str, code: &BodyForms, types: &[Type]) {
     let mut random = Random(0x9e37_79b9_7f4a_7c15 ^ (name.len() as u64) << 7);
     for _ in 0..BOXES {
         // Inputs of one identity are one value.
@@ -204,7 +207,7 @@ macro_rules! bodies {
                 sink.$write(0, $value);
             }
         }
-        hold(stringify!($name), &Code::of::<Tried>(), &[$(Type::$type),*]);
+        hold(stringify!($name), &BodyForms::of::<Tried>(), &[$(Type::$type),*]);
     })+};
 }
 
@@ -304,7 +307,7 @@ fn nodes_stay_in_their_sets() {
 }
 
 /// The interval of one output word of a body.
-fn interval(code: &Code, inputs: &[Word]) -> Interval {
+fn interval(code: &BodyForms, inputs: &[Word]) -> Interval {
     let mut outputs = vec![Word::UNKNOWN; code.outputs];
     (code.intervals)(inputs, &mut outputs);
     match outputs[0] {
@@ -327,7 +330,7 @@ fn sets_are_no_wider_than_they_must_be() {
                     sink.real(0, $value);
                 }
             }
-            let found = interval(&Code::of::<Tried>(), &$inputs);
+            let found = interval(&BodyForms::of::<Tried>(), &$inputs);
             (found.low, found.high, found.nan)
         }};
     }
@@ -362,6 +365,6 @@ fn what_nothing_is_known_of_is_never_one_value() {
             sink.real(0, (words.real(0) + 1.0) - (words.real(1) + 1.0));
         }
     }
-    let difference = interval(&Code::of::<Tried>(), &unknown);
+    let difference = interval(&BodyForms::of::<Tried>(), &unknown);
     assert!(difference.contains(5.0) && difference.contains(f32::NAN), "{difference:?}");
 }

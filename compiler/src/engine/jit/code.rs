@@ -23,8 +23,8 @@ use cranelift_module::{FuncId, Linkage, Module};
 
 use super::JitError;
 use super::lower::{Frame, lower};
-use crate::engine::lanes::{Lanes, Source};
 use crate::ops::{OpId, Segment};
+use crate::storage::{Lanes, Source};
 
 /// Functions of more operations are register-allocated in a single pass.
 pub const SINGLE_PASS_ABOVE: usize = 2000;

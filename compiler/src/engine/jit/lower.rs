@@ -22,8 +22,8 @@ use cranelift_codegen::ir::{
 use cranelift_codegen::isa::TargetFrontendConfig;
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 
-use crate::engine::lanes::{Lanes, Source};
 use crate::ops::{Op, OpId, Segment};
+use crate::storage::{Lanes, Source};
 
 /// How the file is laid out.
 #[derive(Clone, Copy, Debug)]

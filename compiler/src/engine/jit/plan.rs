@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use crate::engine::batch::run_step;
 use crate::engine::execute::Program;
-use crate::engine::lanes::{Lanes, Source};
 use crate::engine::{Simd, jit::JitCode, jit::JitError};
 use crate::ops::{Op, OpId, Segment as OpSegment, Tape, dead, fold, split};
 use crate::schedule::{Item, Schedule, Segment, Step};
+use crate::storage::{Lanes, Source};
 
 /// Bodies of more operations than this run as kernels: eight lanes beat four there, and Cranelift
 /// holds fewer values in registers than the body has.

@@ -1,6 +1,7 @@
 use crate::nodes::{
-    Default, Definition, FINITE, Input, Kind, ListForm, Output, Overload, Signature, Type,
+    DefaultValue, Definition, FINITE, Input, Kind, ListForm, Output, Overload, Signature,
 };
+use crate::values::Type;
 
 /// What the list of nodes holds of this node.
 pub fn definition() -> Definition {
@@ -30,7 +31,7 @@ pub fn definition() -> Definition {
                     name: "values",
                     doc: "The values, all of one type.".into(),
                     value_type: Type::Generic,
-                    default: Default::Required,
+                    default: DefaultValue::Required,
                     range: FINITE,
                     guarded: false,
                     scoped: false,

@@ -1,7 +1,8 @@
 use crate::nodes::finite::SUMMAND;
 use crate::nodes::{
-    Default, Definition, FINITE, Input, Kind, ListForm, Output, Overload, Signature, Type,
+    DefaultValue, Definition, FINITE, Input, Kind, ListForm, Output, Overload, Signature,
 };
+use crate::values::Type;
 
 /// What the list of nodes holds of this node.
 pub fn definition() -> Definition {
@@ -19,7 +20,7 @@ pub fn definition() -> Definition {
                     name: "values",
                     doc: "The values, all of one type.".into(),
                     value_type: Type::Generic,
-                    default: Default::Required,
+                    default: DefaultValue::Required,
                     range: SUMMAND,
                     guarded: false,
                     scoped: false,

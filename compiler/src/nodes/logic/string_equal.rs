@@ -24,7 +24,7 @@ fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
 
 #[cfg(test)]
 mod tests {
-    use crate::nodes::Literal;
+    use crate::values::Literal;
 
     #[test]
     fn compares_characters() {

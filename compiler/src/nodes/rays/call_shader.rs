@@ -7,7 +7,7 @@ node! {
     source "mental ray manual, mi_call_shader",
     inputs {
         /// The shader.
-        shader: shader = crate::nodes::Literal::NoShader;
+        shader: shader = crate::values::Literal::NoShader;
     }
     outputs {
         /// Its colour.

@@ -1,6 +1,7 @@
 use crate::nodes::finite::FACTOR;
-use crate::nodes::{Literal, state};
+use crate::nodes::state;
 use crate::state::Field;
+use crate::values::Literal;
 
 node! {
     /// The colour of a texture at surface coordinates, bilinear between pixels. The picture fills 0 to 1

@@ -30,8 +30,9 @@ fn body<E: Emit>(_: E, i: &Inputs<E>) -> Changes<E> {
 
 #[cfg(test)]
 mod tests {
-    use crate::nodes::{Kind, Literal};
+    use crate::nodes::Kind;
     use crate::state::Field;
+    use crate::values::Literal;
 
     #[test]
     fn hands_the_color_on_to_the_bit() {

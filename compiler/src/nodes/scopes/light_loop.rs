@@ -1,6 +1,5 @@
-use crate::nodes::{
-    BLACK, Definition, Input, Kind, NOT_NEGATIVE, Output, Overload, Signature, Type,
-};
+use crate::nodes::{BLACK, Definition, Input, Kind, NOT_NEGATIVE, Output, Overload, Signature};
+use crate::values::Type;
 
 /// What the list of nodes holds of this node.
 pub fn definition() -> Definition {

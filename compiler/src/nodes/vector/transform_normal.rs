@@ -1,6 +1,6 @@
 use crate::emit::Emit;
-use crate::nodes::Literal;
 use crate::nodes::finite::FACTOR;
+use crate::values::Literal;
 
 node! {
     /// Where a normal points after a transform, at unit length: it stays at right angles to a surface
@@ -28,8 +28,8 @@ fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
 
 #[cfg(test)]
 mod tests {
-    use crate::nodes::Literal;
     use crate::nodes::harness::assert_close;
+    use crate::values::Literal;
 
     fn scaled(x: f32, y: f32, z: f32) -> Literal {
         Literal::Transform([

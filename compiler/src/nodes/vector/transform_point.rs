@@ -1,6 +1,6 @@
 use crate::emit::Emit;
-use crate::nodes::Literal;
 use crate::nodes::finite::FACTOR;
+use crate::values::Literal;
 
 node! {
     /// Where a transform takes a point: `p.x X + p.y Y + p.z Z + T` for the rows X, Y, Z and T.
@@ -25,7 +25,7 @@ fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
 
 #[cfg(test)]
 mod tests {
-    use crate::nodes::Literal;
+    use crate::values::Literal;
 
     #[test]
     fn rows_are_where_the_axes_go_and_the_last_is_the_translation() {

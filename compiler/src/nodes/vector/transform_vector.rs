@@ -1,6 +1,6 @@
 use crate::emit::Emit;
-use crate::nodes::Literal;
 use crate::nodes::finite::FACTOR;
+use crate::values::Literal;
 
 node! {
     /// Where a transform takes a vector, which its translation leaves alone: `v.x X + v.y Y + v.z Z` for
@@ -26,7 +26,7 @@ fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
 
 #[cfg(test)]
 mod tests {
-    use crate::nodes::Literal;
+    use crate::values::Literal;
 
     #[test]
     fn the_translation_does_not_count() {

@@ -1,7 +1,8 @@
 //! Making instances of nodes whose inputs are all there, and opening scopes and loops.
 
 use crate::effects::Effect;
-use crate::nodes::{Code, Kind, Literal};
+use crate::kernels::BodyForms;
+use crate::nodes::Kind;
 use crate::specialise::epochs::path_key;
 use crate::specialise::reads::{LIGHT_LOOP_READS, light_fields};
 use crate::specialise::views::{Resolved, inconsistent};
@@ -10,6 +11,7 @@ use crate::specialise::{
     Uniforms,
 };
 use crate::state::Field;
+use crate::values::Literal;
 
 use super::{Builder, Built, Frame, MAX_NESTED_LOOPS, mix_key};
 
@@ -158,7 +160,7 @@ impl Builder<'_> {
 
     fn plain(
         &mut self,
-        code: Code,
+        code: BodyForms,
         frame: Frame,
         name: &str,
         is_root: bool,

@@ -6,10 +6,11 @@ mod values;
 
 use std::collections::HashMap;
 
-use crate::engine::lanes::Source;
 use crate::graph::{Graph, Root};
-use crate::nodes::{Literal, NodeLibrary};
+use crate::nodes::NodeLibrary;
 use crate::state::RayType;
+use crate::storage::Source;
+use crate::values::Literal;
 
 use super::reads::reads;
 use super::views::Views;

@@ -1,12 +1,13 @@
 //! Values of inputs: literals, parameters, state fields and outputs, converted to the type due.
 
-use crate::engine::lanes::Source;
-use crate::nodes::{Kind, Literal, Type};
+use crate::nodes::Kind;
 use crate::specialise::views::{Resolved, inconsistent};
 use crate::specialise::{
     Demand, EpochId, EpochKind, InstanceId, InstanceKind, SpecialiseError, Uniforms, internal,
 };
 use crate::state::Field;
+use crate::storage::Source;
+use crate::values::{Literal, Type};
 
 use super::{Builder, Built, Key};
 

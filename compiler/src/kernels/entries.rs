@@ -1,60 +1,8 @@
-//! Storage of the batch and jit engines, and the entries through which node bodies run on it.
-//!
-//! A batch of points lies in blocks of eight lanes. The file of a program holds its uniform words
-//! first, one [`Lanes`] each with the same value in all lanes, then for every block one [`Lanes`]
-//! per slot: `uniforms + block * slots + slot`.
+//! The entries through which bodies run natively: for one point, and for blocks of eight.
 
+use crate::emit::Body;
 use crate::emit::scalar::Scalar;
-use crate::nodes::Body;
-
-/// Lanes of a block.
-pub const LANES: usize = 8;
-
-/// One word of eight points: numbers and integers by their bits, truth as all bits set or none.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(C, align(32))]
-pub struct Lanes(pub [u32; LANES]);
-
-/// Where a word comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Source {
-    /// A uniform word of the program, by position.
-    Uniform(u32),
-    /// A slot of every block.
-    Slot(u32),
-}
-
-/// Where one body reads and writes, over all blocks of a batch.
-#[derive(Clone, Copy, Debug)]
-pub struct Placement<'a> {
-    /// Uniform words before the first block.
-    pub uniforms: usize,
-    /// Slots of a block.
-    pub slots: usize,
-    /// Blocks to run.
-    pub blocks: usize,
-    /// One source per input word.
-    pub sources: &'a [Source],
-    /// First of the consecutive slots that take the output words.
-    pub output: u32,
-}
-
-impl Placement<'_> {
-    /// Position in the file of input word `word` for the block.
-    #[inline(always)]
-    pub fn input(&self, word: usize, block: usize) -> usize {
-        match self.sources[word] {
-            Source::Uniform(at) => at as usize,
-            Source::Slot(slot) => self.uniforms + block * self.slots + slot as usize,
-        }
-    }
-
-    /// Position in the file of output word `word` for the block.
-    #[inline(always)]
-    pub fn output(&self, word: usize, block: usize) -> usize {
-        self.uniforms + block * self.slots + self.output as usize + word
-    }
-}
+use crate::storage::{LANES, Lanes, Placement};
 
 /// Whether the CPU runs the native forms (AVX2 and FMA).
 pub fn native_simd() -> bool {

@@ -1,24 +1,15 @@
 //! A node's body compiled for every back end, with its type erased.
 
+use crate::emit::Body;
 use crate::emit::interval::{Intervals, Word};
 use crate::emit::scalar::Scalar;
-use crate::emit::{Emit, Sink, Words};
-use crate::engine::lanes::{Lanes, Placement};
 use crate::ops::{OpId, Tape};
-
-/// Code generic over the back end, from words to words. The [`crate::node`] macro writes the
-/// implementations.
-pub trait Body: 'static {
-    /// Words written.
-    const OUTPUTS: usize;
-    /// Reads its inputs, computes, writes its outputs.
-    fn run<E: Emit>(emit: E, words: &impl Words<E>, sink: &mut impl Sink<E>);
-}
+use crate::storage::{Lanes, Placement};
 
 /// One body in every back end. The `native` forms need the CPU features of
 /// [`Simd::Native`](crate::engine::Simd::Native); all forms give the same bits.
 #[derive(Clone, Copy)]
-pub struct Code {
+pub struct BodyForms {
     /// One point.
     pub scalar: fn(inputs: &[u32], outputs: &mut [u32]),
     /// Blocks of eight points.
@@ -35,20 +26,20 @@ pub struct Code {
     pub outputs: usize,
 }
 
-impl std::fmt::Debug for Code {
+impl std::fmt::Debug for BodyForms {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Code").field("outputs", &self.outputs).finish_non_exhaustive()
+        f.debug_struct("BodyForms").field("outputs", &self.outputs).finish_non_exhaustive()
     }
 }
 
-impl Code {
+impl BodyForms {
     /// Compiles `B` for every back end.
     pub const fn of<B: Body>() -> Self {
         Self {
-            scalar: crate::engine::lanes::scalar::<B>,
-            wide: crate::engine::lanes::wide::<B>,
+            scalar: super::entries::scalar::<B>,
+            wide: super::entries::wide::<B>,
             scalar_portable: scalar_portable::<B>,
-            wide_portable: crate::engine::lanes::wide_portable::<B>,
+            wide_portable: super::entries::wide_portable::<B>,
             record: record::<B>,
             intervals: intervals::<B>,
             outputs: B::OUTPUTS,

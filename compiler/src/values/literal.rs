@@ -1,113 +1,10 @@
-//! The types of values, and literals.
+//! Literals.
 
 use std::collections::HashMap;
 use std::fmt;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// The type of an input, an output or an interface parameter. Arrays and structs have none: the
-/// checker takes them apart, so that each of their parts is of one of these.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Type {
-    /// True or false.
-    Boolean,
-    /// 32-bit signed integer.
-    Integer,
-    /// 32-bit floating point number.
-    Scalar,
-    /// Scene-linear Rec. 709 red, green, blue, and alpha.
-    Color,
-    /// Three numbers.
-    Vector,
-    /// A 4×4 matrix, row by row; points are rows, so the translation is the last row.
-    Transform,
-    /// Text; uniform, never computed.
-    String,
-    /// A picture; uniform, never computed.
-    Texture,
-    /// A light of the scene by name; uniform, never computed.
-    Light,
-    /// A list of lights by name; uniform, never computed.
-    Lights,
-    /// A shader that is called for its colour: an output of a node, not its value.
-    Shader,
-    /// The one type a generic node is used with: scalar, vector or color.
-    Generic,
-}
-
-impl Type {
-    /// Every type a parameter or a part of one may have.
-    pub const ALL: [Type; 11] = [
-        Type::Scalar,
-        Type::Integer,
-        Type::Boolean,
-        Type::Color,
-        Type::Vector,
-        Type::Transform,
-        Type::String,
-        Type::Texture,
-        Type::Light,
-        Type::Lights,
-        Type::Shader,
-    ];
-
-    /// Number of 32-bit words; none for what is not a value of a point.
-    pub fn width(self) -> usize {
-        match self {
-            Type::Boolean | Type::Integer | Type::Scalar | Type::String => 1,
-            Type::Vector => 3,
-            Type::Color | Type::Shader => 4,
-            Type::Transform => 16,
-            Type::Texture | Type::Light | Type::Lights | Type::Generic => 0,
-        }
-    }
-
-    /// The name in graph files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Type::Boolean => "boolean",
-            Type::Integer => "integer",
-            Type::Scalar => "scalar",
-            Type::Color => "color",
-            Type::Vector => "vector",
-            Type::Transform => "transform",
-            Type::String => "string",
-            Type::Texture => "texture",
-            Type::Light => "light",
-            Type::Lights => "lights",
-            Type::Shader => "shader",
-            Type::Generic => "scalar | vector | color",
-        }
-    }
-
-    /// Whether it is the same for all points: given by a literal or a parameter, never by a node.
-    pub fn is_uniform(self) -> bool {
-        matches!(self, Type::String | Type::Texture | Type::Light | Type::Lights)
-    }
-
-    /// Whether the engines have it in their code rather than in words: another value is other code.
-    pub fn is_in_code(self) -> bool {
-        matches!(self, Type::Texture | Type::Light | Type::Lights)
-    }
-
-    /// Whether its values are numbers that may have a range.
-    pub fn is_numeric(self) -> bool {
-        matches!(self, Type::Integer | Type::Scalar | Type::Color | Type::Vector | Type::Generic)
-    }
-
-    /// Whether a value of this type is converted without a node: integer to scalar, scalar (or
-    /// integer) to color, a light to a list of one, the color of a node (or what becomes one) to the shader
-    /// that makes it.
-    pub fn converts_to(self, to: Type) -> bool {
-        self == to
-            || matches!(
-                (self, to),
-                (Type::Integer, Type::Scalar | Type::Color)
-                    | (Type::Scalar, Type::Color)
-                    | (Type::Light, Type::Lights)
-                    | (Type::Integer | Type::Scalar | Type::Color, Type::Shader)
-            )
-    }
-}
+use super::{Texture, Type};
 
 /// A literal, of a known type.
 #[derive(Clone, Debug, PartialEq)]
@@ -134,44 +31,6 @@ pub enum Literal {
     Lights(Vec<String>),
     /// The shader that is called where none is given: transparent black.
     NoShader,
-}
-
-/// A picture, and how its numbers become colours.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Texture {
-    /// Path of the file, relative to the working folder or absolute.
-    pub file: String,
-    /// What its numbers mean.
-    pub space: Space,
-}
-
-/// What the numbers of a picture mean.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Space {
-    /// Encoded as IEC 61966-2-1 has it: decoded to scene-linear when read. Alpha is linear.
-    Srgb,
-    /// Taken as they are: scene-linear colours, or data.
-    Linear,
-}
-
-impl Space {
-    /// Every space with its name in graph files.
-    pub const ALL: [(&str, Space); 2] = [("srgb", Space::Srgb), ("linear", Space::Linear)];
-
-    /// The space of a file that does not say: EXR and HDR are linear, all others sRGB.
-    pub fn of_file(file: &str) -> Space {
-        let lower = file.to_ascii_lowercase();
-        let linear = lower.ends_with(".exr") || lower.ends_with(".hdr");
-        if linear { Space::Linear } else { Space::Srgb }
-    }
-
-    /// Name in graph files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Space::Srgb => "srgb",
-            Space::Linear => "linear",
-        }
-    }
 }
 
 impl Literal {
@@ -301,11 +160,5 @@ mod tests {
         for value_type in Type::ALL {
             assert!(value_type.converts_to(value_type));
         }
-    }
-
-    #[test]
-    fn a_file_that_does_not_say_has_the_space_of_its_kind() {
-        assert_eq!(Space::of_file("a.EXR"), Space::Linear);
-        assert_eq!(Space::of_file("a.exr.png"), Space::Srgb);
     }
 }

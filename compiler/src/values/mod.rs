@@ -1,0 +1,9 @@
+//! What graphs hold: types, literals and pictures. Every other room speaks these words.
+
+mod literal;
+mod texture;
+mod types;
+
+pub use literal::Literal;
+pub use texture::{Space, Texture};
+pub use types::Type;
