@@ -8,7 +8,7 @@ use phenomenon_compiler::emit::Body;
 use phenomenon_compiler::emit::functions;
 use phenomenon_compiler::emit::{Emit, Sink, Words};
 use phenomenon_compiler::kernels::BodyForms;
-use phenomenon_compiler::storage::{LANES, Lanes, Placement, Source};
+use phenomenon_compiler::storage::{FileShape, LANES, Lanes, Placement, Source};
 
 /// Error in units of the last place that an f32 near `exact` has; 0 where NaN or an overflow is
 /// what is due.
@@ -51,8 +51,12 @@ fn worst(
     let mut inputs = inputs.peekable();
     let mut file = vec![Lanes::default(); BLOCKS * 3];
     let sources = [Source::Slot(0), Source::Slot(1)];
-    let placement =
-        Placement { uniforms: 0, slots: 3, blocks: BLOCKS, sources: &sources, output: 2 };
+    let placement = Placement {
+        shape: FileShape { uniforms: 0, slots: 3 },
+        blocks: BLOCKS,
+        sources: &sources,
+        output: 2,
+    };
     while inputs.peek().is_some() {
         let mut count = 0;
         for (at, pair) in inputs.by_ref().take(BLOCKS * LANES).enumerate() {

@@ -40,7 +40,6 @@ mod types;
 
 pub use cycles::MAX_CYCLE_SHOWN;
 pub use graph::{Checked, MAX_NODES, check_graph, check_graph_with, read_graph_file};
-pub use light_loops::reads_light;
 pub use nested::{Files, MAX_FILE_DEPTH, OnDisk};
 pub use nodes::MAX_NAME;
 pub use roots::MAX_SHADERS;

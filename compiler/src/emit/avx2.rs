@@ -250,8 +250,8 @@ impl Int for I32x8 {
 
 impl Mask for Bool8 {}
 
-/// Most input words a body may have to run here; one with more runs portably.
-const MOST_INPUTS: usize = 64;
+/// Most input words a body may have to run here.
+pub const MOST_INPUTS: usize = 64;
 
 /// Input word `i` of block `b` lies at `first[i] + b * step[i]`.
 #[derive(Clone, Copy)]
@@ -322,13 +322,6 @@ impl Sink<Avx2> for Outputs {
     }
 }
 
-/// Apart, so that each kernel does not hold its portable form as well.
-#[cold]
-#[inline(never)]
-fn too_many_inputs<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
-    crate::kernels::wide_portable::<B>(lanes, placement);
-}
-
 /// Runs `B` over the blocks. Output slots may be input slots too: a body reads a block's inputs
 /// before it writes.
 ///
@@ -340,15 +333,13 @@ pub fn run<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
     if placement.blocks == 0 {
         return;
     }
-    if count > MOST_INPUTS {
-        return too_many_inputs::<B>(lanes, placement);
-    }
+    assert!(count <= MOST_INPUTS, "a body has more input words than a kernel takes");
     let last = placement.blocks - 1;
     let mut origins = [const { MaybeUninit::<Origin>::uninit() }; MOST_INPUTS];
     for (origin, &source) in origins.iter_mut().zip(placement.sources) {
         let (first, step) = match source {
             Source::Uniform(at) => (at as usize, 0),
-            Source::Slot(slot) => (placement.uniforms + slot as usize, placement.slots),
+            Source::Slot(slot) => (placement.shape.slot(slot, 0), placement.shape.slots),
         };
         assert!(first + last * step < lanes.len(), "a source lies outside the file");
         origin.write(Origin { first, step });

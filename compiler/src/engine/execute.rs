@@ -6,9 +6,10 @@ use crate::schedule::{Item, Loop, RegionId, Request, Schedule};
 use crate::specialise::Context;
 use crate::state::State;
 
-use super::walk::{answer_words, iteration_key, ray, texture_words};
-use super::{Shaded, batch::Runner};
-use crate::storage::{LANES, Lanes, Source};
+use super::requests::{answer_words, iteration_key, ray, texture_words};
+use super::runner::Runner;
+use super::shade::Shaded;
+use crate::storage::{FileShape, LANES, Lanes, Source};
 
 /// Bytes of slots a batch may fill; larger programs run fewer points at once.
 const MAX_FILE_BYTES: usize = 64 << 20;
@@ -21,8 +22,6 @@ pub struct Program<'a> {
     pub uniforms: &'a [u32],
     /// How segments are run.
     pub runner: Runner<'a>,
-    /// Slots of a block: those of the schedule, and what the runner needs besides.
-    pub slots: usize,
     /// Most points at once.
     pub batch: usize,
 }
@@ -62,6 +61,11 @@ enum Frame {
 }
 
 impl Program<'_> {
+    /// The shape of its file: the schedule's slots, and what the runner needs besides.
+    fn shape(&self) -> FileShape {
+        FileShape { uniforms: self.uniforms.len(), slots: self.runner.slots(self.schedule) }
+    }
+
     /// Shades `points` and writes one result each.
     pub fn run(
         &self,
@@ -70,7 +74,8 @@ impl Program<'_> {
         results: &mut [Shaded],
         memory: &mut Memory,
     ) {
-        let block_bytes = self.slots.max(1) * size_of::<Lanes>();
+        let shape = self.shape();
+        let block_bytes = shape.slots.max(1) * size_of::<Lanes>();
         let most = self.batch.div_ceil(LANES).min(MAX_FILE_BYTES / block_bytes).max(1) * LANES;
         let chunk = most.min(self.batch.max(1));
         let lists: Vec<LightList> =
@@ -79,9 +84,10 @@ impl Program<'_> {
             self.schedule.textures.iter().map(|texture| renderer.texture(texture)).collect();
         for (points, results) in points.chunks(chunk).zip(results.chunks_mut(chunk)) {
             let blocks = points.len().div_ceil(LANES);
-            memory.fit(self, blocks);
+            memory.fit(self, shape, blocks);
             let mut run = Run {
                 program: self,
+                shape,
                 points,
                 blocks,
                 lists: &lists,
@@ -97,11 +103,9 @@ impl Program<'_> {
 }
 
 impl Memory {
-    fn fit(&mut self, program: &Program<'_>, blocks: usize) {
+    fn fit(&mut self, program: &Program<'_>, shape: FileShape, blocks: usize) {
         let schedule = program.schedule;
-        let uniforms = program.uniforms.len();
-        let lanes = uniforms + blocks * program.slots;
-        self.lanes.resize(lanes.max(self.lanes.len()), Lanes::default());
+        self.lanes.resize(shape.words(blocks).max(self.lanes.len()), Lanes::default());
         for (lane, word) in self.lanes.iter_mut().zip(program.uniforms) {
             *lane = Lanes([*word; LANES]);
         }
@@ -126,6 +130,7 @@ fn empty(table: &mut [Table]) {
 
 struct Run<'a> {
     program: &'a Program<'a>,
+    shape: FileShape,
     points: &'a [State],
     blocks: usize,
     lists: &'a [LightList],
@@ -140,13 +145,8 @@ impl Run<'_> {
     fn at(&self, source: Source, block: usize) -> usize {
         match source {
             Source::Uniform(at) => at as usize,
-            Source::Slot(slot) => self.slot(slot, block),
+            Source::Slot(slot) => self.shape.slot(slot, block),
         }
-    }
-
-    #[inline]
-    fn slot(&self, slot: u32, block: usize) -> usize {
-        self.program.uniforms.len() + block * self.program.slots + slot as usize
     }
 
     #[inline]
@@ -156,7 +156,7 @@ impl Run<'_> {
 
     #[inline]
     fn set(&mut self, slot: u32, point: usize, word: u32) {
-        let at = self.slot(slot, point / LANES);
+        let at = self.shape.slot(slot, point / LANES);
         self.memory.lanes[at].0[point % LANES] = word;
     }
 
@@ -206,7 +206,9 @@ impl Run<'_> {
             item += 1;
             match next {
                 Item::Segment(at) => {
-                    program.runner.segment(program, *at, &mut self.memory.lanes, self.blocks);
+                    let (shape, blocks) = (self.shape, self.blocks);
+                    let lanes = &mut self.memory.lanes;
+                    program.runner.segment(program.schedule, *at, shape, lanes, blocks);
                 }
                 Item::Force { region: forced, guard } => {
                     if self.force(region, *forced, *guard) {

@@ -16,7 +16,10 @@ use crate::values::{Literal, Texture};
 use super::execute::Program;
 use super::jit::{JitCode, JitError, Plan};
 use super::memory::with_memory;
-use super::{Engine, Options, Runner, Shade, Shaded, Simd, walk};
+use super::options::{Engine, Options, Simd};
+use super::runner::Runner;
+use super::shade::{Shade, Shaded};
+use super::walk;
 
 /// Why a graph could not be compiled, or a parameter not be set.
 #[derive(Debug, thiserror::Error)]
@@ -74,11 +77,11 @@ struct Compiled {
     root: RootKind,
     ray_type: Option<RayType>,
     uniforms: Uniforms,
-    code: Arc<Code>,
+    code: Arc<RootCode>,
 }
 
 #[derive(Debug)]
-struct Code {
+struct RootCode {
     specialised: Specialised,
     schedule: Option<Schedule>,
     plan: OnceLock<Option<Plan>>,
@@ -212,7 +215,7 @@ impl Shader {
     /// Compiles machine code while kernels run already. A plan that fails, or a system that grants no
     /// thread, leaves the kernels running: same bits.
     fn plan_in_background(&self) {
-        let codes: Vec<Arc<Code>> =
+        let codes: Vec<Arc<RootCode>> =
             self.programs.iter().map(|program| Arc::clone(&program.code)).collect();
         let simd = self.options.simd;
         let plan = move || {
@@ -229,7 +232,7 @@ impl Shader {
         let uniforms = specialised.uniforms.clone();
         let engine = self.options.engine;
         let schedule = (engine != Engine::Walk).then(|| schedule(&specialised));
-        let code = Arc::new(Code { specialised, schedule, plan: OnceLock::new() });
+        let code = Arc::new(RootCode { specialised, schedule, plan: OnceLock::new() });
         match engine {
             Engine::Jit => {
                 if let Some(plan) = code.plan(self.options.simd)? {
@@ -249,7 +252,7 @@ impl Shader {
     }
 }
 
-impl Code {
+impl RootCode {
     fn plan(&self, simd: Simd) -> Result<Option<Plan>, JitError> {
         let uniforms = self.specialised.uniforms.values().len();
         self.schedule.as_ref().map(|schedule| Plan::new(schedule, uniforms, simd)).transpose()
@@ -289,7 +292,7 @@ impl Shade for Shader {
             results.fill(Shaded::default());
             return;
         };
-        let Code { specialised, schedule, plan } = &*program.code;
+        let RootCode { specialised, schedule, plan } = &*program.code;
         let simd = self.options.simd;
         let Some(schedule) = schedule else {
             self.counts.walk.fetch_add(points.len() as u64, Ordering::Relaxed);
@@ -298,13 +301,13 @@ impl Shade for Shader {
                 walk::walk(specialised, values, simd, points, renderer, results, &mut memory.walk);
             });
         };
-        let (runner, slots, count) = match plan.get() {
-            Some(Some(plan)) => (Runner::Jit(plan), plan.slots(), &self.counts.jit),
-            _ => (Runner::Kernels(simd), schedule.slots as usize, &self.counts.batch),
+        let (runner, count) = match plan.get() {
+            Some(Some(plan)) => (Runner::Jit(plan), &self.counts.jit),
+            _ => (Runner::Kernels(simd), &self.counts.batch),
         };
         count.fetch_add(points.len() as u64, Ordering::Relaxed);
         let uniforms = program.uniforms.values();
-        let program = Program { schedule, uniforms, runner, slots, batch: self.options.batch };
+        let program = Program { schedule, uniforms, runner, batch: self.options.batch };
         with_memory(|memory| program.run(points, renderer, results, &mut memory.batch));
     }
 }

@@ -5,9 +5,7 @@ use std::collections::HashSet;
 use thiserror::Error;
 
 use super::{Binding, Graph, Node, Root, RootKind};
-use crate::check::reads_light;
-use crate::nodes::{Kind, NodeLibrary, NodeType};
-use crate::state::Field;
+use crate::nodes::{Kind, NodeLibrary, is_of_light, reads_light};
 use crate::values::Type;
 
 /// Why an output cannot be a root.
@@ -130,7 +128,7 @@ impl Graph {
         let mut waiting = vec![(node, output)];
         while let Some((node, output)) = waiting.pop() {
             let Node { node_type, inputs, .. } = &self.nodes[node];
-            if is_of_light(library, *node_type, output) {
+            if is_of_light(library, *node_type, Some(output)) {
                 return true;
             }
             let signature = library.signature(*node_type);
@@ -151,15 +149,6 @@ impl Graph {
     }
 }
 
-/// Whether an output of a node type is of the light sample by itself.
-fn is_of_light(library: &NodeLibrary, node_type: NodeType, output: usize) -> bool {
-    match &library.signature(node_type).kind {
-        Kind::Fields(fields) => fields.get(output).copied().is_some_and(Field::is_of_light),
-        Kind::Request(effect) => effect.reads().iter().any(|field| field.is_of_light()),
-        Kind::Plain | Kind::Scope(_) | Kind::LightLoop | Kind::List(_) => false,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
@@ -169,7 +158,7 @@ mod tests {
     use crate::document;
     use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
     use crate::engine::{Engine, Options, Shade, Shaded, Shader};
-    use crate::state::State;
+    use crate::state::{Field, State};
 
     struct Nothing;
 

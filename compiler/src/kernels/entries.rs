@@ -33,10 +33,11 @@ pub fn scalar<B: Body>(inputs: &[u32], outputs: &mut [u32]) {
     B::run(Scalar, &inputs, &mut outputs);
 }
 
-/// Runs `B` over the blocks, eight lanes at once where the CPU can.
+/// Runs `B` over the blocks, eight lanes at once where the CPU can; lane by lane where it cannot, or
+/// the body has more inputs than the wide form takes.
 pub fn wide<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
     #[cfg(target_arch = "x86_64")]
-    if native_simd() {
+    if native_simd() && placement.sources.len() <= crate::emit::avx2::MOST_INPUTS {
         // SAFETY: the features were detected.
         return unsafe { crate::emit::avx2::run::<B>(lanes, placement) };
     }

@@ -6,7 +6,7 @@ use super::harness::settled;
 use super::{Definition, NodeLibrary, Overload};
 use crate::kernels::BodyForms;
 use crate::ops::{Op, Tape, interpret};
-use crate::storage::{LANES, Lanes, Placement, Source};
+use crate::storage::{FileShape, LANES, Lanes, Placement, Source};
 use crate::values::Type;
 
 /// Points tried per overload; a multiple of the lanes of a block.
@@ -147,7 +147,15 @@ impl Trial {
         }
         let sources: Vec<Source> = (0..inputs as u32).map(Source::Slot).collect();
         let output = inputs as u32;
-        form(&mut file, &Placement { uniforms: 0, slots, blocks, sources: &sources, output });
+        form(
+            &mut file,
+            &Placement {
+                shape: FileShape { uniforms: 0, slots },
+                blocks,
+                sources: &sources,
+                output,
+            },
+        );
         let word = |at: usize, k: usize| file[at / LANES * slots + inputs + k].0[at % LANES];
         (0..POINTS).map(|at| (0..outputs).map(|k| word(at, k)).collect()).collect()
     }

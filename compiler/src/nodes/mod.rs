@@ -13,10 +13,12 @@ mod agreement;
 
 pub mod finite;
 mod library;
+mod light_reads;
 pub mod reference;
 mod signature;
 
 pub use library::{Definition, NodeLibrary, NodeType, Overload, paragraph};
+pub use light_reads::{is_of_light, reads_light};
 pub use signature::{
     Avoid, BLACK, DefaultValue, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE,
     Signature, WHITE, node, required, state,

@@ -1,9 +1,9 @@
 //! Removal of operations no store depends on, and of sources nothing loads.
 
-use super::{Op, OpId, Segment};
+use super::{Op, OpId, OpSegment};
 
 /// The segment without its dead operations, renumbered in the same order.
-pub fn remove(segment: &Segment) -> Segment {
+pub fn remove(segment: &OpSegment) -> OpSegment {
     let live = live(segment);
     let mut sources = Vec::new();
     let mut new_source = vec![None; segment.sources.len()];
@@ -26,10 +26,10 @@ pub fn remove(segment: &Segment) -> Segment {
         });
     }
     let stores = segment.stores.iter().map(|&(slot, id)| (slot, new_id[id as usize])).collect();
-    Segment { ops, sources, stores }
+    OpSegment { ops, sources, stores }
 }
 
-fn live(segment: &Segment) -> Vec<bool> {
+fn live(segment: &OpSegment) -> Vec<bool> {
     let mut live = vec![false; segment.ops.len()];
     for &(_, id) in &segment.stores {
         live[id as usize] = true;

@@ -3,7 +3,7 @@
 //! `x + 0` stays (it turns -0 into 0), `x * 0` stays (NaN, infinities, -0), `x - x`, `x / x` and
 //! `x == x` stay (NaN), `!(a < b)` is not `b <= a` (NaN).
 
-use super::{Op, OpId, Segment, Tape};
+use super::{Op, OpId, OpSegment, Tape};
 use crate::emit::scalar::{Bool, F32, I32};
 use crate::emit::{Int, Mask, Real};
 
@@ -14,7 +14,7 @@ const MINUS_ZERO: u32 = 0x8000_0000;
 const ALL: u32 = u32::MAX;
 
 /// The segment folded; dead operations stay, see [`super::dead`].
-pub fn fold(segment: &Segment) -> Segment {
+pub fn fold(segment: &OpSegment) -> OpSegment {
     let tape = Tape::new();
     let mut new_id: Vec<OpId> = Vec::with_capacity(segment.ops.len());
     for &op in &segment.ops {
@@ -22,7 +22,7 @@ pub fn fold(segment: &Segment) -> Segment {
         new_id.push(id);
     }
     let stores = segment.stores.iter().map(|&(slot, id)| (slot, new_id[id as usize])).collect();
-    Segment { ops: tape.into_ops(), sources: segment.sources.clone(), stores }
+    OpSegment { ops: tape.into_ops(), sources: segment.sources.clone(), stores }
 }
 
 /// What an operation is the same as.

@@ -2,7 +2,7 @@
 //!
 //! It shares nothing with [`crate::emit::scalar`], so that a slip in one shows against the other.
 
-use super::{Op, OpId, Segment};
+use super::{Op, OpId, OpSegment};
 use crate::storage::{LANES, Lanes, Source};
 
 /// The word `op` yields. `load` gives the words of sources, `value` those of operands.
@@ -53,7 +53,7 @@ pub fn evaluate(op: Op, load: impl Fn(u32) -> u32, value: impl Fn(OpId) -> u32) 
 ///
 /// # Panics
 /// If the file is smaller than `uniforms + blocks * slots`, or the segment reaches outside.
-pub fn run(segment: &Segment, uniforms: usize, slots: usize, lanes: &mut [Lanes], blocks: usize) {
+pub fn run(segment: &OpSegment, uniforms: usize, slots: usize, lanes: &mut [Lanes], blocks: usize) {
     let mut values = vec![0; segment.ops.len()];
     for block in 0..blocks {
         let first = uniforms + block * slots;

@@ -1,6 +1,6 @@
 //! The scalar operations of a pure segment: what the JIT fuses, and the passes that prepare them.
 //!
-//! Recorded on a [`Tape`], collected in a [`Segment`], then [`fold`], [`dead`] and [`split`].
+//! Recorded on a [`Tape`], collected in a [`OpSegment`], then [`fold`], [`dead`] and [`split`].
 //! [`interpret`] says what the operations mean, `Display` prints a segment.
 
 pub mod dead;
@@ -11,5 +11,5 @@ mod print;
 pub mod split;
 mod tape;
 
-pub use op::{Op, OpId, Segment};
+pub use op::{Op, OpId, OpSegment};
 pub use tape::{Tape, TapeInt, TapeMask, TapeReal};

@@ -108,7 +108,7 @@ impl Op {
 
 /// A pure piece of a shader program: what is computed between two requests.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Segment {
+pub struct OpSegment {
     /// The operations; operands come before their users.
     pub ops: Vec<Op>,
     /// What [`Op::Load`] reads: `Load(n)` is `sources[n]`.

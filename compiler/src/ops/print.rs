@@ -2,10 +2,10 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::{Op, Segment};
+use super::{Op, OpSegment};
 use crate::storage::Source;
 
-impl Display for Segment {
+impl Display for OpSegment {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         for (id, &op) in self.ops.iter().enumerate() {
             write!(f, "%{id} = ")?;

@@ -11,7 +11,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::{Op, OpId, Segment};
+use super::{Op, OpId, OpSegment};
 use crate::storage::Source;
 
 /// Operations of a part that run well.
@@ -21,14 +21,14 @@ pub const COMFORTABLE: usize = 80;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Split {
     /// To be run in order, for all blocks each.
-    pub parts: Vec<Segment>,
+    pub parts: Vec<OpSegment>,
     /// Scratch slots used, from the first free one on.
     pub scratch: u32,
 }
 
 /// Cuts `segment` into parts of about `limit` operations (loads and constants not counted), using
 /// slots from `first_free` on. A cut is made where few values cross it.
-pub fn split(segment: &Segment, limit: usize, first_free: u32) -> Split {
+pub fn split(segment: &OpSegment, limit: usize, first_free: u32) -> Split {
     let ends = cuts(segment, limit.max(1));
     if ends.len() <= 1 {
         return Split { parts: vec![segment.clone()], scratch: 0 };
@@ -37,7 +37,7 @@ pub fn split(segment: &Segment, limit: usize, first_free: u32) -> Split {
 }
 
 /// Where parts end: positions behind their last operation.
-fn cuts(segment: &Segment, limit: usize) -> Vec<usize> {
+fn cuts(segment: &OpSegment, limit: usize) -> Vec<usize> {
     let crossing = crossing(segment);
     let mut ends = Vec::new();
     let mut start = 0;
@@ -65,7 +65,7 @@ fn cuts(segment: &Segment, limit: usize) -> Vec<usize> {
 }
 
 /// For every position, how many values computed before it are used at or behind it.
-fn crossing(segment: &Segment) -> Vec<usize> {
+fn crossing(segment: &OpSegment) -> Vec<usize> {
     let mut last_use = vec![0; segment.ops.len()];
     for (id, op) in segment.ops.iter().enumerate() {
         op.for_each_operand(|operand| last_use[operand as usize] = id);
@@ -88,7 +88,7 @@ fn crossing(segment: &Segment) -> Vec<usize> {
 }
 
 struct Splitter<'a> {
-    segment: &'a Segment,
+    segment: &'a OpSegment,
     ends: &'a [usize],
     /// The part each operation is computed in.
     home: Vec<usize>,
@@ -106,7 +106,7 @@ struct Splitter<'a> {
 }
 
 impl<'a> Splitter<'a> {
-    fn new(segment: &'a Segment, ends: &'a [usize], first_free: u32) -> Self {
+    fn new(segment: &'a OpSegment, ends: &'a [usize], first_free: u32) -> Self {
         let mut home = Vec::with_capacity(segment.ops.len());
         for (part, &end) in ends.iter().enumerate() {
             home.resize(end, part);
@@ -158,7 +158,7 @@ impl<'a> Splitter<'a> {
         Split { parts, scratch: self.scratch }
     }
 
-    fn part(&mut self, part: usize) -> Segment {
+    fn part(&mut self, part: usize) -> OpSegment {
         let start = if part == 0 { 0 } else { self.ends[part - 1] };
         let end = self.ends[part];
         let mut writer = Writer::default();
@@ -216,7 +216,7 @@ impl<'a> Splitter<'a> {
 /// A part being written.
 #[derive(Default)]
 struct Writer {
-    segment: Segment,
+    segment: OpSegment,
     /// Operations of the whole by operations of the part.
     known: HashMap<OpId, OpId>,
     sources: HashMap<Source, u32>,

@@ -1,5 +1,6 @@
 //! Epochs: the stretches of time over which a node has one value.
 
+use super::keys::{PATH_KEY, path_key};
 use super::{FieldSet, InstanceId};
 use crate::state::Field;
 use crate::storage::Source;
@@ -9,15 +10,6 @@ pub type EpochId = usize;
 
 /// Most names of a path that are shown.
 const SHOWN_NAMES: usize = 8;
-
-/// The key of an empty path.
-const PATH_KEY: u64 = 0xcbf2_9ce4_8422_2325;
-
-/// The key of a path with `text` appended: FNV-1a, stable across builds and platforms.
-pub(super) fn path_key(key: u64, text: &str) -> u64 {
-    let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-    text.bytes().fold(key, step)
-}
 
 /// What opened an epoch.
 #[derive(Clone, Debug, PartialEq)]

@@ -21,13 +21,34 @@ pub enum Source {
     Slot(u32),
 }
 
-/// Where one body reads and writes, over all blocks of a batch.
-#[derive(Clone, Copy, Debug)]
-pub struct Placement<'a> {
+/// The shape of a file: how many words lie before its blocks, and how many in each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FileShape {
     /// Uniform words before the first block.
     pub uniforms: usize,
     /// Slots of a block.
     pub slots: usize,
+}
+
+impl FileShape {
+    /// Position in the file of a slot of the block.
+    #[inline(always)]
+    pub fn slot(self, slot: u32, block: usize) -> usize {
+        self.uniforms + block * self.slots + slot as usize
+    }
+
+    /// Words of a file with so many blocks.
+    #[inline]
+    pub fn words(self, blocks: usize) -> usize {
+        self.uniforms + blocks * self.slots
+    }
+}
+
+/// Where one body reads and writes, over all blocks of a batch.
+#[derive(Clone, Copy, Debug)]
+pub struct Placement<'a> {
+    /// The shape of the file.
+    pub shape: FileShape,
     /// Blocks to run.
     pub blocks: usize,
     /// One source per input word.
@@ -42,22 +63,13 @@ impl Placement<'_> {
     pub fn input(&self, word: usize, block: usize) -> usize {
         match self.sources[word] {
             Source::Uniform(at) => at as usize,
-            Source::Slot(slot) => self.uniforms + block * self.slots + slot as usize,
+            Source::Slot(slot) => self.shape.slot(slot, block),
         }
     }
 
     /// Position in the file of output word `word` for the block.
     #[inline(always)]
     pub fn output(&self, word: usize, block: usize) -> usize {
-        self.uniforms + block * self.slots + self.output as usize + word
+        self.shape.slot(self.output, block) + word
     }
-}
-
-/// The shape of a file: how many words lie before its blocks, and how many in each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FileShape {
-    /// Uniform words before the first block.
-    pub uniforms: usize,
-    /// Slots of a block.
-    pub slots: usize,
 }

@@ -1,8 +1,8 @@
 //! The back ends under test, each as a function from rows of inputs to rows of outputs.
 
 use phenomenon_compiler::engine::jit::JitCode;
-use phenomenon_compiler::ops::{Segment, dead, fold, split};
-use phenomenon_compiler::storage::{LANES, Lanes, Placement, Source};
+use phenomenon_compiler::ops::{OpSegment, dead, fold, split};
+use phenomenon_compiler::storage::{FileShape, LANES, Lanes, Placement, Source};
 
 use crate::cases::Case;
 use crate::reference;
@@ -73,14 +73,14 @@ fn point_by_point(run: fn(&[u32], &mut [u32]), case: &Case, inputs: &Rows) -> Ro
 const SCRATCH: usize = 64;
 
 /// Records the case, prepares the segment, compiles it, and runs its parts.
-fn compiled(case: &Case, inputs: &Rows, prepare: impl Fn(Segment) -> Vec<Segment>) -> Rows {
+fn compiled(case: &Case, inputs: &Rows, prepare: impl Fn(OpSegment) -> Vec<OpSegment>) -> Rows {
     let sources: Vec<Source> = (0..inputs.width as u32).map(Source::Slot).collect();
     let (ops, results) = reference::tape(case);
     let first = inputs.width as u32;
     let stores = (first..).zip(results).collect();
-    let parts = prepare(Segment { ops, sources: sources.clone(), stores });
+    let parts = prepare(OpSegment { ops, sources: sources.clone(), stores });
     let slots = inputs.width + case.outputs.len() + SCRATCH;
-    let code = JitCode::compile(&parts, UNIFORMS, slots).expect("compiles");
+    let code = JitCode::compile(&parts, FileShape { uniforms: UNIFORMS, slots }).expect("compiles");
     let run = |file: &mut [Lanes], placement: &Placement<'_>| {
         (0..parts.len()).for_each(|part| code.run(part, file, placement.blocks));
     };
@@ -121,7 +121,8 @@ fn placed(
     output: u32,
 ) -> Rows {
     let blocks = inputs.count().div_ceil(LANES);
-    let placement = Placement { uniforms: UNIFORMS, slots, blocks, sources, output };
+    let placement =
+        Placement { shape: FileShape { uniforms: UNIFORMS, slots }, blocks, sources, output };
     let mut file = vec![Lanes::default(); UNIFORMS + blocks * slots];
     for row in 0..inputs.count() {
         for (word, &bits) in inputs.row(row).iter().enumerate() {

@@ -96,7 +96,7 @@ fn outputs_may_take_the_slots_of_the_inputs() {
 
 #[test]
 fn a_source_outside_the_file_is_refused() {
-    use phenomenon_compiler::storage::{Lanes, Placement, Source};
+    use phenomenon_compiler::storage::{FileShape, Lanes, Placement, Source};
     let case = &cases()[0];
     for (sources, output) in [
         ([Source::Slot(0), Source::Slot(9)], 0),
@@ -105,8 +105,12 @@ fn a_source_outside_the_file_is_refused() {
     ] {
         let outcome = std::panic::catch_unwind(|| {
             let mut file = vec![Lanes::default(); 4];
-            let placement =
-                Placement { uniforms: 0, slots: 2, blocks: 2, sources: &sources, output };
+            let placement = Placement {
+                shape: FileShape { uniforms: 0, slots: 2 },
+                blocks: 2,
+                sources: &sources,
+                output,
+            };
             (case.code.wide)(&mut file, &placement);
         });
         assert!(outcome.is_err(), "{sources:?} {output}");

@@ -1,6 +1,6 @@
 //! What must fold, what must not, and that folding changes no bit.
 
-use phenomenon_compiler::ops::{Op, Segment, dead, fold};
+use phenomenon_compiler::ops::{Op, OpSegment, dead, fold};
 use phenomenon_compiler::storage::Source;
 
 use crate::random::Case;
@@ -19,7 +19,7 @@ fn folded(ops: &[Op]) -> String {
     list.extend(ops);
     let stores = vec![(9, list.len() as u32 - 1)];
     let sources = vec![Source::Slot(0), Source::Slot(1), Source::Slot(2)];
-    let segment = Segment { ops: list, sources, stores };
+    let segment = OpSegment { ops: list, sources, stores };
     let segment = dead::remove(&fold::fold(&segment));
     let name = |id: u32| match segment.ops[id as usize] {
         Op::Load(n) => match segment.sources[n as usize] {

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use phenomenon_compiler::engine::jit::{JitCode, JitError};
-use phenomenon_compiler::ops::{Op, Segment, dead, fold, split};
-use phenomenon_compiler::storage::{LANES, Lanes, Source};
+use phenomenon_compiler::ops::{Op, OpSegment, dead, fold, split};
+use phenomenon_compiler::storage::{FileShape, LANES, Lanes, Source};
 
 use crate::random::Case;
 use crate::samples::{File, Kind, Random, yields};
@@ -19,8 +19,9 @@ fn available() -> bool {
     }
 }
 
-fn run(segments: &[Segment], file: &mut File) {
-    let code = JitCode::compile(segments, file.uniforms, file.slots).expect("compiles");
+fn run(segments: &[OpSegment], file: &mut File) {
+    let code = JitCode::compile(segments, FileShape { uniforms: file.uniforms, slots: file.slots })
+        .expect("compiles");
     for index in 0..segments.len() {
         code.run(index, &mut file.lanes, file.blocks);
     }
@@ -42,7 +43,7 @@ fn exhaust(op: Op, kinds: &[Kind]) {
     }
     let mut ops: Vec<_> = (0..arity as u32).map(Op::Load).collect();
     ops.push(op);
-    let segment = Segment {
+    let segment = OpSegment {
         ops,
         sources: (0..arity as u32).map(Source::Slot).collect(),
         stores: vec![(arity as u32, arity as u32)],
@@ -106,7 +107,7 @@ fn select_keeps_the_payload_of_a_nan() {
     }
     let nan = 0x7fa1_2345;
     for compare in [Op::Less(0, 1), Op::IntLess(0, 1), Op::Xor(0, 1)] {
-        let segment = Segment {
+        let segment = OpSegment {
             ops: vec![
                 Op::Load(0),
                 Op::Load(1),
@@ -151,7 +152,7 @@ fn random_segments_whole_folded_and_split() {
         expected.interpret(&case.segment);
         let slots = case.slots.len() as u32;
         let kind = |slot: u32| case.slots[slot as usize];
-        let what = |form: &str, segment: &Segment| format!("seed {seed}, {form}\n{segment}");
+        let what = |form: &str, segment: &OpSegment| format!("seed {seed}, {form}\n{segment}");
         let forms =
             [("whole", vec![case.segment.clone()]), ("folded", vec![folded]), ("split", cut.parts)];
         for (form, segments) in forms {
@@ -184,7 +185,7 @@ fn a_slot_read_and_written_is_read_first() {
     if !available() {
         return;
     }
-    let segment = Segment {
+    let segment = OpSegment {
         ops: vec![Op::Load(0), Op::Load(1)],
         sources: vec![Source::Slot(0), Source::Slot(1)],
         stores: vec![(1, 0), (0, 1)],
@@ -205,8 +206,8 @@ fn a_slot_read_and_written_is_read_first() {
     }
 }
 
-fn one_store() -> Segment {
-    Segment { ops: vec![Op::Load(0)], sources: vec![Source::Uniform(0)], stores: vec![(0, 0)] }
+fn one_store() -> OpSegment {
+    OpSegment { ops: vec![Op::Load(0)], sources: vec![Source::Uniform(0)], stores: vec![(0, 0)] }
 }
 
 #[test]
@@ -214,20 +215,21 @@ fn malformed_segments_are_refused() {
     if !available() {
         return;
     }
-    let refused = |segment: Segment, uniforms, slots| {
+    let refused = |segment: OpSegment, uniforms, slots| {
         matches!(
-            JitCode::compile(&[one_store(), segment], uniforms, slots),
+            JitCode::compile(&[one_store(), segment], FileShape { uniforms, slots }),
             Err(JitError::Malformed { segment: 1, .. })
         )
     };
     assert!(!refused(one_store(), 1, 1));
-    assert!(refused(Segment { sources: vec![Source::Uniform(1)], ..one_store() }, 1, 1));
-    assert!(refused(Segment { sources: vec![Source::Slot(1)], ..one_store() }, 1, 1));
-    assert!(refused(Segment { sources: vec![], ..one_store() }, 1, 1));
-    assert!(refused(Segment { stores: vec![(1, 0)], ..one_store() }, 1, 1));
-    assert!(refused(Segment { stores: vec![(0, 1)], ..one_store() }, 1, 1));
-    assert!(refused(Segment { ops: vec![Op::Neg(0)], ..one_store() }, 1, 1));
-    let huge = JitCode::compile(&[], 1, 1 << 27).expect_err("offsets do not fit");
+    assert!(refused(OpSegment { sources: vec![Source::Uniform(1)], ..one_store() }, 1, 1));
+    assert!(refused(OpSegment { sources: vec![Source::Slot(1)], ..one_store() }, 1, 1));
+    assert!(refused(OpSegment { sources: vec![], ..one_store() }, 1, 1));
+    assert!(refused(OpSegment { stores: vec![(1, 0)], ..one_store() }, 1, 1));
+    assert!(refused(OpSegment { stores: vec![(0, 1)], ..one_store() }, 1, 1));
+    assert!(refused(OpSegment { ops: vec![Op::Neg(0)], ..one_store() }, 1, 1));
+    let huge = JitCode::compile(&[], FileShape { uniforms: 1, slots: 1 << 27 })
+        .expect_err("offsets do not fit");
     assert_eq!(huge, JitError::TooLarge { words: 1 << 27 });
 }
 
@@ -237,7 +239,8 @@ fn a_short_file_is_refused() {
     if !available() {
         panic!("cannot hold 2 blocks: there is no code here");
     }
-    let code = JitCode::compile(&[one_store()], 1, 1).expect("compiles");
+    let code =
+        JitCode::compile(&[one_store()], FileShape { uniforms: 1, slots: 1 }).expect("compiles");
     code.run(0, &mut [Lanes::default(); 2], 2);
 }
 
@@ -246,7 +249,8 @@ fn no_block_is_touched_when_there_is_none() {
     if !available() {
         return;
     }
-    let code = JitCode::compile(&[one_store()], 1, 1).expect("compiles");
+    let code =
+        JitCode::compile(&[one_store()], FileShape { uniforms: 1, slots: 1 }).expect("compiles");
     let before = [Lanes([1; LANES]), Lanes([2; LANES])];
     let mut lanes = before;
     code.run(0, &mut lanes, 0);
@@ -264,8 +268,11 @@ fn code_is_shared_and_freed() {
     let compile = || {
         let slots = case.slots.len();
         Arc::new(
-            JitCode::compile(std::slice::from_ref(&case.segment), case.uniforms.len(), slots)
-                .expect("compiles"),
+            JitCode::compile(
+                std::slice::from_ref(&case.segment),
+                FileShape { uniforms: case.uniforms.len(), slots },
+            )
+            .expect("compiles"),
         )
     };
     let code = compile();

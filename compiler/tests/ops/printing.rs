@@ -1,10 +1,10 @@
 //! Segments as text.
 
-use phenomenon_compiler::ops::{Op, Segment, dead};
+use phenomenon_compiler::ops::{Op, OpSegment, dead};
 use phenomenon_compiler::storage::Source;
 
-fn segment() -> Segment {
-    Segment {
+fn segment() -> OpSegment {
+    OpSegment {
         ops: vec![
             Op::Load(1),
             Op::Load(2),

@@ -1,13 +1,13 @@
 //! Random segments: every operation, constants, uniforms, slots.
 
-use phenomenon_compiler::ops::{Op, OpId, Segment};
+use phenomenon_compiler::ops::{Op, OpId, OpSegment};
 use phenomenon_compiler::storage::{LANES, Lanes, Source};
 
 use crate::samples::{File, Kind, Random, yields};
 
 /// A random segment, and what it expects of its file.
 pub struct Case {
-    pub segment: Segment,
+    pub segment: OpSegment,
     pub uniforms: Vec<Kind>,
     /// Kinds of the slots: first those that are read, then those that are written.
     pub slots: Vec<Kind>,
@@ -43,7 +43,7 @@ impl Case {
             stores.push((slots.len() as u32, id as OpId));
             slots.push(ops.kinds[id]);
         }
-        Self { segment: Segment { ops: ops.list, sources, stores }, uniforms, slots, inputs }
+        Self { segment: OpSegment { ops: ops.list, sources, stores }, uniforms, slots, inputs }
     }
 
     /// A file for it with random words, and room for `scratch` slots more.

@@ -1,6 +1,6 @@
 //! Hard words, and comparing what segments leave in their files.
 
-use phenomenon_compiler::ops::{Op, OpId, Segment, interpret};
+use phenomenon_compiler::ops::{Op, OpId, OpSegment, interpret};
 use phenomenon_compiler::storage::{LANES, Lanes};
 
 /// Numbers that break careless code.
@@ -171,7 +171,7 @@ impl File {
     pub fn slot(&mut self, block: usize, slot: u32) -> &mut Lanes {
         &mut self.lanes[self.uniforms + block * self.slots + slot as usize]
     }
-    pub fn interpret(&mut self, segment: &Segment) {
+    pub fn interpret(&mut self, segment: &OpSegment) {
         interpret::run(segment, self.uniforms, self.slots, &mut self.lanes, self.blocks);
     }
     /// Asserts that both hold the same, up to `slots` (scratch lies behind).

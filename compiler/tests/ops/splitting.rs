@@ -1,6 +1,6 @@
 //! Cutting long segments: the parts together do what the whole does.
 
-use phenomenon_compiler::ops::{Op, Segment, split};
+use phenomenon_compiler::ops::{Op, OpSegment, split};
 use phenomenon_compiler::storage::Source;
 
 use crate::random::Case;
@@ -27,7 +27,7 @@ fn parts_do_what_the_whole_does() {
     }
 }
 
-fn check_part(part: &Segment, limit: usize, slots: u32) {
+fn check_part(part: &OpSegment, limit: usize, slots: u32) {
     let work = part.ops.iter().filter(|op| !op.is_fetch()).count();
     assert!(work <= limit, "{work} operations, at most {limit} were asked for");
     for &(slot, _) in &part.stores {
@@ -52,7 +52,7 @@ fn scratch_slots_are_used_again() {
         ops.push(if id == 1 { Op::Mul(0, 1) } else { Op::Mul(id, 1) });
     }
     let last = ops.len() as u32 - 1;
-    let segment = Segment { ops, sources: vec![Source::Slot(0)], stores: vec![(1, last)] };
+    let segment = OpSegment { ops, sources: vec![Source::Slot(0)], stores: vec![(1, last)] };
     let cut = split::split(&segment, 20, 2);
     assert!(cut.parts.len() >= 20);
     assert_eq!(cut.scratch, 2);
@@ -61,7 +61,7 @@ fn scratch_slots_are_used_again() {
 /// The segment swaps two slots; the first part must not overwrite what a later one reads.
 #[test]
 fn a_slot_read_later_is_not_overwritten_before() {
-    let segment = Segment {
+    let segment = OpSegment {
         ops: vec![Op::Load(0), Op::Neg(0), Op::Load(1), Op::Neg(2), Op::Neg(3), Op::Neg(4)],
         sources: vec![Source::Slot(0), Source::Slot(1)],
         stores: vec![(1, 1), (0, 5)],

@@ -22,9 +22,9 @@ use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{FuncId, Linkage, Module};
 
 use super::JitError;
-use super::lower::{Frame, lower};
-use crate::ops::{OpId, Segment};
-use crate::storage::{Lanes, Source};
+use super::lower::lower;
+use crate::ops::{OpId, OpSegment};
+use crate::storage::{FileShape, Lanes, Source};
 
 /// Functions of more operations are register-allocated in a single pass.
 pub const SINGLE_PASS_ABOVE: usize = 2000;
@@ -40,7 +40,7 @@ pub struct JitCode {
     /// Emptied by `drop` only; a mutex because the module is not `Sync`.
     module: Mutex<Option<JITModule>>,
     entries: Vec<Entry>,
-    frame: Frame,
+    shape: FileShape,
     code_bytes: usize,
 }
 
@@ -78,26 +78,24 @@ impl JitCode {
         }
     }
 
-    /// Compiles each segment to a function over files of `uniforms` words and `slots` slots a
-    /// block. Segments are compiled as they are: fold and split them before.
+    /// Compiles each segment to a function over files of that shape. Segments are compiled as they are: fold and split them before.
     ///
     /// # Errors
     /// See [`JitError`].
-    pub fn compile(segments: &[Segment], uniforms: usize, slots: usize) -> Result<Self, JitError> {
+    pub fn compile(segments: &[OpSegment], shape: FileShape) -> Result<Self, JitError> {
         Self::available()?;
-        let words = uniforms.max(slots);
+        let words = shape.uniforms.max(shape.slots);
         if words > MOST_WORDS {
             return Err(JitError::TooLarge { words });
         }
-        let frame = Frame { uniforms, slots };
         for (index, segment) in segments.iter().enumerate() {
-            well_formed(segment, frame)
+            well_formed(segment, shape)
                 .map_err(|what| JitError::Malformed { segment: index, what })?;
         }
         let mut compiler = Compiler::new()?;
         let mut compiled = Ok(());
         for segment in segments {
-            compiled = compiled.and_then(|()| compiler.add(segment, frame));
+            compiled = compiled.and_then(|()| compiler.add(segment, shape));
         }
         // From here the module belongs to a `JitCode`, which frees it whatever happens.
         let Compiler { mut module, functions, code_bytes, .. } = compiler;
@@ -111,7 +109,7 @@ impl JitCode {
                 unsafe { std::mem::transmute::<*const u8, Entry>(address) }
             }));
         }
-        let code = Self { module: Mutex::new(Some(module)), entries, frame, code_bytes };
+        let code = Self { module: Mutex::new(Some(module)), entries, shape, code_bytes };
         finished.map(|()| code)
     }
 
@@ -122,15 +120,15 @@ impl JitCode {
     pub fn run(&self, index: usize, lanes: &mut [Lanes], blocks: usize) {
         let entry = self.entries[index];
         let words = blocks
-            .checked_mul(self.frame.slots)
-            .and_then(|words| words.checked_add(self.frame.uniforms));
+            .checked_mul(self.shape.slots)
+            .and_then(|words| words.checked_add(self.shape.uniforms));
         assert!(
             words.is_some_and(|words| words <= lanes.len()),
             "a file of {} words cannot hold {blocks} blocks",
             lanes.len()
         );
         // A segment without slots may pass any number of blocks, and stores nothing.
-        if blocks == 0 || self.frame.slots == 0 {
+        if blocks == 0 || self.shape.slots == 0 {
             return;
         }
         // SAFETY: the code reads uniforms below `uniforms` and accesses slots below `slots` of blocks below
@@ -184,11 +182,11 @@ impl Compiler {
         })
     }
 
-    fn add(&mut self, segment: &Segment, frame: Frame) -> Result<(), JitError> {
+    fn add(&mut self, segment: &OpSegment, shape: FileShape) -> Result<(), JitError> {
         let index = self.functions.len() as u32;
         let config = self.module.target_config();
         self.context.func.name = UserFuncName::user(0, index);
-        lower(segment, frame, config, &mut self.context.func, &mut self.builder);
+        lower(segment, shape, config, &mut self.context.func, &mut self.builder);
         let id = self
             .module
             .declare_function(
@@ -244,12 +242,12 @@ pub(super) fn target(allocator: &str) -> Result<Arc<dyn TargetIsa>, JitError> {
 }
 
 /// Whether all that the segment names exists; the safety of running it rests on this.
-fn well_formed(segment: &Segment, frame: Frame) -> Result<(), &'static str> {
+fn well_formed(segment: &OpSegment, shape: FileShape) -> Result<(), &'static str> {
     let ops = &segment.ops;
     for source in &segment.sources {
         let inside = match *source {
-            Source::Uniform(uniform) => (uniform as usize) < frame.uniforms,
-            Source::Slot(slot) => (slot as usize) < frame.slots,
+            Source::Uniform(uniform) => (uniform as usize) < shape.uniforms,
+            Source::Slot(slot) => (slot as usize) < shape.slots,
         };
         if !inside {
             return Err("a source lies outside the file");
@@ -268,6 +266,6 @@ fn well_formed(segment: &Segment, frame: Frame) -> Result<(), &'static str> {
         }
     }
     let stored =
-        |&(slot, id): &(u32, OpId)| (slot as usize) < frame.slots && (id as usize) < ops.len();
+        |&(slot, id): &(u32, OpId)| (slot as usize) < shape.slots && (id as usize) < ops.len();
     if segment.stores.iter().all(stored) { Ok(()) } else { Err("a store lies outside the file") }
 }

@@ -22,17 +22,8 @@ use cranelift_codegen::ir::{
 use cranelift_codegen::isa::TargetFrontendConfig;
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 
-use crate::ops::{Op, OpId, Segment};
-use crate::storage::{Lanes, Source};
-
-/// How the file is laid out.
-#[derive(Clone, Copy, Debug)]
-pub struct Frame {
-    /// Uniform words before the first block.
-    pub uniforms: usize,
-    /// Slots of a block.
-    pub slots: usize,
-}
+use crate::ops::{Op, OpId, OpSegment};
+use crate::storage::{FileShape, Lanes, Source};
 
 /// Bytes of a word of a block.
 const WORD: usize = size_of::<Lanes>();
@@ -42,8 +33,8 @@ const HALF: i64 = 16;
 /// Writes the function of `segment` into `function`. Sizes are below 2^31 bytes, and the segment is
 /// well formed.
 pub fn lower(
-    segment: &Segment,
-    frame: Frame,
+    segment: &OpSegment,
+    shape: FileShape,
     config: TargetFrontendConfig,
     function: &mut Function,
     context: &mut FunctionBuilderContext,
@@ -56,9 +47,9 @@ pub fn lower(
     builder.append_block_params_for_function_params(entry);
     builder.switch_to_block(entry);
     let &[file, blocks] = builder.block_params(entry) else { return };
-    let before = builder.ins().iconst(I64, (frame.uniforms * WORD) as i64);
+    let before = builder.ins().iconst(I64, (shape.uniforms * WORD) as i64);
     let first = builder.ins().iadd(file, before);
-    let size = builder.ins().imul_imm_s(blocks, (frame.slots * WORD) as i64);
+    let size = builder.ins().imul_imm_s(blocks, (shape.slots * WORD) as i64);
     let end = builder.ins().iadd(first, size);
     // From a first half to its second it is 16 bytes, on to the next block the rest of a block:
     // the step alternates between the two, whose sum is a block.
@@ -74,7 +65,7 @@ pub fn lower(
     Lowering { builder: &mut builder, segment, file, at, words: Vec::new() }.run();
     let next = builder.ins().iadd(at, step);
     let next_before = builder.ins().iadd(before, step);
-    let whole = builder.ins().iconst(I64, (frame.slots * WORD) as i64);
+    let whole = builder.ins().iconst(I64, (shape.slots * WORD) as i64);
     let next_step = builder.ins().isub(whole, step);
     let more = builder.ins().icmp(IntCC::NotEqual, next, end);
     let arguments = [next, next_before, next_step].map(BlockArg::Value);
@@ -105,7 +96,7 @@ enum Comparison {
 
 struct Lowering<'a, 'b> {
     builder: &'a mut FunctionBuilder<'b>,
-    segment: &'a Segment,
+    segment: &'a OpSegment,
     /// Start of the file.
     file: Value,
     /// First word of the half-block.
@@ -337,12 +328,12 @@ mod tests {
         list.extend(ops);
         let stores = vec![(3, list.len() as u32 - 1)];
         let sources = vec![Source::Slot(0), Source::Slot(1), Source::Slot(2)];
-        let segment = Segment { ops: list, sources, stores };
+        let segment = OpSegment { ops: list, sources, stores };
         let isa = target("backtracking").expect("the host is x86-64");
         let mut context = Context::new();
-        let frame = Frame { uniforms: 0, slots: 4 };
+        let shape = FileShape { uniforms: 0, slots: 4 };
         let config = isa.frontend_config();
-        lower(&segment, frame, config, &mut context.func, &mut FunctionBuilderContext::new());
+        lower(&segment, shape, config, &mut context.func, &mut FunctionBuilderContext::new());
         context.set_disasm(true);
         let code = context.compile(&*isa, &mut ControlPlane::default()).expect("compiles");
         code.vcode.clone().expect("was asked for")

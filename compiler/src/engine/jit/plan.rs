@@ -2,12 +2,13 @@
 
 use std::collections::HashMap;
 
-use crate::engine::batch::run_step;
-use crate::engine::execute::Program;
-use crate::engine::{Simd, jit::JitCode, jit::JitError};
-use crate::ops::{Op, OpId, Segment as OpSegment, Tape, dead, fold, split};
+use crate::engine::options::Simd;
+
+use crate::ops::{Op, OpId, OpSegment, Tape, dead, fold, split};
 use crate::schedule::{Item, Schedule, Segment, Step};
-use crate::storage::{Lanes, Source};
+use crate::storage::{FileShape, Lanes, Source};
+
+use super::{JitCode, JitError};
 
 /// Bodies of more operations than this run as kernels: eight lanes beat four there, and Cranelift
 /// holds fewer values in registers than the body has.
@@ -69,7 +70,7 @@ impl Plan {
             segments.push(pieces);
         }
         let slots = (schedule.slots + scratch) as usize;
-        let code = JitCode::compile(&functions, uniforms, slots)?;
+        let code = JitCode::compile(&functions, FileShape { uniforms, slots })?;
         Ok(Self { segments, code, simd, slots })
     }
 
@@ -83,21 +84,18 @@ impl Plan {
         self.code.code_bytes()
     }
 
-    /// Runs a segment over the blocks.
+    /// Runs a segment over the blocks; `kernel` runs those of its steps that are kernels.
     pub(in crate::engine) fn run(
         &self,
         segment: usize,
-        program: &Program<'_>,
         lanes: &mut [Lanes],
         blocks: usize,
+        kernel: impl Fn(usize, Simd, &mut [Lanes]),
     ) {
         for piece in &self.segments[segment] {
             match *piece {
                 Piece::Fused(function) => self.code.run(function, lanes, blocks),
-                Piece::Kernel(step) => {
-                    let step = &program.schedule.segments[segment].steps[step];
-                    run_step(step, self.simd, program, lanes, blocks);
-                }
+                Piece::Kernel(step) => kernel(step, self.simd, lanes),
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::effects::Effect;
 use crate::kernels::BodyForms;
 use crate::nodes::Kind;
-use crate::specialise::epochs::path_key;
+use crate::specialise::keys::{mix_key, path_key};
 use crate::specialise::reads::{LIGHT_LOOP_READS, light_fields};
 use crate::specialise::views::{Resolved, inconsistent};
 use crate::specialise::{
@@ -13,7 +13,7 @@ use crate::specialise::{
 use crate::state::Field;
 use crate::values::Literal;
 
-use super::{Builder, Built, Frame, MAX_NESTED_LOOPS, mix_key};
+use super::{Builder, Built, Frame, MAX_NESTED_LOOPS};
 
 /// Words of the answer to [`Effect::ReadTexture`]: a colour and whether it is one.
 const TEXTURE_WORDS: usize = 5;

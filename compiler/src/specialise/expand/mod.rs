@@ -208,12 +208,3 @@ impl Frame {
         Self { key, next: 0, guard: None, words: Vec::new(), demands: Vec::new(), inside: None }
     }
 }
-
-/// A bijective mix of 64 bits in which every input bit moves half of the output's.
-pub fn mix_key(mut key: u64) -> u64 {
-    key ^= key >> 32;
-    key = key.wrapping_mul(0xe9846af9b1a615d);
-    key ^= key >> 32;
-    key = key.wrapping_mul(0xe9846af9b1a615d);
-    key ^ (key >> 28)
-}

@@ -1,0 +1,46 @@
+//! How a graph is run.
+
+use crate::graph::RootKind;
+
+/// Which engine runs a graph.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Engine {
+    /// Batch at once, jit as soon as its code is ready.
+    #[default]
+    Auto,
+    /// A tree walk with a cache, one point at a time, as mi_eval does it.
+    Walk,
+    /// A schedule run by kernels compiled from the node bodies, eight points wide.
+    Batch,
+    /// The same schedule with its light parts fused to machine code by Cranelift.
+    Jit,
+}
+
+/// Which forms of the node bodies run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Simd {
+    /// The best the CPU has.
+    #[default]
+    Native,
+    /// Portable code, whatever the CPU has: the same bits, slower.
+    Portable,
+}
+
+/// How a graph is run. No choice changes a bit of the result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Which engine.
+    pub engine: Engine,
+    /// Which forms of the node bodies.
+    pub simd: Simd,
+    /// Most points shaded at once, at least 1.
+    pub batch: usize,
+    /// Which roots are compiled; the others are as if the graph had none.
+    pub roots: &'static [RootKind],
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { engine: Engine::Auto, simd: Simd::Native, batch: 256, roots: &RootKind::ALL }
+    }
+}

@@ -1,0 +1,123 @@
+//! A graph whose names are resolved, types settled and inputs bound.
+
+use std::ops::RangeInclusive;
+
+use crate::nodes::{FINITE, NodeType};
+use crate::values::{Literal, Type};
+
+use super::{Requirements, RootKind};
+
+/// A phenomenon without findings of severity error.
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    /// Name of the phenomenon.
+    pub name: String,
+    /// Its doc.
+    pub doc: String,
+    /// Its version; 0 where the file gives none.
+    pub version: i32,
+    /// What it requires of the renderer.
+    pub requirements: Requirements,
+    /// Parameters of the interface, in file order; arrays and structs part by part, called
+    /// `layers[2].tint`.
+    pub parameters: Vec<Parameter>,
+    /// Nodes; connections between them form no cycle.
+    pub nodes: Vec<Node>,
+    /// Roots, at most one for each shader type.
+    pub roots: Vec<Root>,
+    /// Inputs that are never evaluated, as literals and the ranges of parameters prove: positions of a
+    /// node and of one of its inputs, ascending. For those who look at the graph; engines find out by
+    /// themselves.
+    pub ruled_out: Vec<(usize, usize)>,
+}
+
+/// An interface parameter.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Its name.
+    pub name: String,
+    /// Its doc.
+    pub doc: String,
+    /// Its type.
+    pub value_type: Type,
+    /// Its default, of that type.
+    pub default: Literal,
+    /// Values it may be bound to, per component.
+    pub range: RangeInclusive<f64>,
+    /// Values an editor offers; within `range`.
+    pub soft_range: RangeInclusive<f64>,
+    /// Unit of the value, empty where it has none.
+    pub unit: String,
+    /// For an enumeration, which is an integer: the names of 0, 1, 2 …; else empty.
+    pub labels: Vec<String>,
+}
+
+/// A node of a graph.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// Its name; inside nested phenomena joined by `/`.
+    pub name: String,
+    /// Its type in the [`crate::nodes::NodeLibrary`] the graph was checked with.
+    pub node_type: NodeType,
+    /// Position in [`crate::nodes::Definition::overloads`].
+    pub overload: usize,
+    /// One for each input of the signature.
+    pub inputs: Vec<Binding>,
+}
+
+/// What an input, or a root, gets its value from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Binding {
+    /// Nothing given: the default of the signature.
+    Default,
+    /// A literal, already of the input's type.
+    Literal(Literal),
+    /// A parameter of the interface, by position; converted as [`Type::converts_to`] allows.
+    Parameter(usize),
+    /// An output of a node, by positions; converted as [`Type::converts_to`] allows.
+    Node {
+        /// Position in [`Graph::nodes`].
+        node: usize,
+        /// Position in the signature's outputs.
+        output: usize,
+    },
+}
+
+/// A root of a phenomenon.
+#[derive(Clone, Debug)]
+pub struct Root {
+    /// What it is called for.
+    pub kind: RootKind,
+    /// A value of its kind's type; converted as [`Type::converts_to`] allows.
+    pub color: Binding,
+    /// A boolean, false for mental ray's miFALSE; [`Binding::Default`] means always true.
+    pub ok: Binding,
+}
+
+impl Parameter {
+    /// A parameter with that default and nothing else said of it.
+    pub fn new(name: impl Into<String>, default: Literal) -> Self {
+        Self {
+            name: name.into(),
+            doc: String::new(),
+            value_type: default.value_type(),
+            default,
+            range: FINITE,
+            soft_range: FINITE,
+            unit: String::new(),
+            labels: Vec::new(),
+        }
+    }
+}
+
+impl Graph {
+    /// The root of a kind.
+    pub fn root(&self, kind: RootKind) -> Option<&Root> {
+        self.roots.iter().find(|root| root.kind == kind)
+    }
+
+    /// Position of the parameter called `name`.
+    pub fn parameter(&self, name: &str) -> Option<usize> {
+        self.parameters.iter().position(|parameter| parameter.name == name)
+    }
+}

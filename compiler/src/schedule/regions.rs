@@ -1,0 +1,131 @@
+//! The parts of a schedule.
+
+use crate::effects::Effect;
+use crate::kernels::BodyForms;
+use crate::specialise::{Context, EpochId, LightTable};
+use crate::state::Field;
+use crate::storage::Source;
+use crate::values::Texture;
+
+/// Position in [`Schedule::regions`].
+pub type RegionId = usize;
+
+/// A program for batches of points.
+#[derive(Clone, Debug)]
+pub struct Schedule {
+    /// Regions; the first is the root's.
+    pub regions: Vec<Region>,
+    /// Segments.
+    pub segments: Vec<Segment>,
+    /// Requests.
+    pub requests: Vec<Request>,
+    /// Loops.
+    pub loops: Vec<Loop>,
+    /// State fields in use, each with the first of its slots.
+    pub fields: Vec<(Field, u32)>,
+    /// Slots of a block.
+    pub slots: u32,
+    /// First of the root's slots: colour, then ok.
+    pub root: u32,
+    /// Names of the lights loops run over.
+    pub light_lists: Vec<Vec<String>>,
+    /// Tables of light colours.
+    pub tables: Vec<LightTable>,
+    /// Textures that are read.
+    pub textures: Vec<Texture>,
+}
+
+/// What is demanded under one mask.
+#[derive(Clone, Debug, Default)]
+pub struct Region {
+    /// The node at its head, for printing.
+    pub name: String,
+    /// In order.
+    pub items: Vec<Item>,
+}
+
+/// A step of a region.
+#[derive(Clone, Debug)]
+pub enum Item {
+    /// Evaluate a segment for all points.
+    Segment(usize),
+    /// Run a region where the mask holds, the guard holds, and it was not run yet.
+    Force {
+        /// Which.
+        region: RegionId,
+        /// A word that is a mask; none: always.
+        guard: Option<Source>,
+    },
+    /// Ask the renderer, where the mask holds.
+    Request(usize),
+    /// Run a loop, where the mask holds.
+    Loop(usize),
+}
+
+/// Pure code: steps in order, each reading only what is ready.
+#[derive(Clone, Debug, Default)]
+pub struct Segment {
+    /// Bodies and guards.
+    pub steps: Vec<Step>,
+}
+
+/// A body or guard to evaluate.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// The node, for printing.
+    pub name: String,
+    /// Its code.
+    pub code: BodyForms,
+    /// Its input words.
+    pub words: Vec<Source>,
+    /// First slot of its output words.
+    pub output: u32,
+}
+
+/// A request to the renderer.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// The node, for printing.
+    pub name: String,
+    /// What is asked.
+    pub effect: Effect,
+    /// Argument words.
+    pub words: Vec<Source>,
+    /// First slot of the answer.
+    pub output: u32,
+    /// State fields that scopes changed.
+    pub context: Context,
+    /// Key of its random numbers.
+    pub site: u64,
+    /// Positions of the loops round it, outermost first.
+    pub loops: Vec<usize>,
+    /// Table of light colours.
+    pub table: Option<usize>,
+    /// Position of the texture that is read.
+    pub texture: Option<usize>,
+}
+
+/// A light loop.
+#[derive(Clone, Debug)]
+pub struct Loop {
+    /// The node, for printing.
+    pub name: String,
+    /// Position of its light list.
+    pub list: usize,
+    /// The epoch of its body.
+    pub epoch: EpochId,
+    /// First of the four slots of the light sample.
+    pub fields: u32,
+    /// The body.
+    pub region: RegionId,
+    /// The body's first three words.
+    pub words: Vec<Source>,
+    /// First slot of the sum.
+    pub output: u32,
+    /// State fields that scopes changed.
+    pub context: Context,
+    /// Regions whose heads belong to an iteration: to be run anew in each.
+    pub renewed: Vec<RegionId>,
+    /// Tables that belong to an iteration.
+    pub emptied: Vec<usize>,
+}
