@@ -1,12 +1,6 @@
 //! A picture in memory.
 
-use super::header::PictureHeader;
-
-/// Most pixels along a side of a film.
-pub const SIDE_LIMIT: u32 = 1 << 16;
-
-/// Most pixels of a film: 1 GiB of memory.
-pub const PIXEL_LIMIT: u64 = 1 << 26;
+use super::size::{SizeError, pixel_count};
 
 /// Scene-linear colours (Rec. 709 primaries) with associated alpha, in rows from the top left: red, green
 /// and blue are what is seen over black, alpha is how much of what lies behind is covered. A colour
@@ -16,29 +10,6 @@ pub struct Film {
     width: u32,
     height: u32,
     pixels: Vec<[f32; 4]>,
-}
-
-/// A film cannot have this size.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum SizeError {
-    /// There can never be one.
-    #[error(
-        "a picture of {width} x {height} pixels is not possible: each side takes 1 to {SIDE_LIMIT} pixels, and all of it at most {PIXEL_LIMIT}"
-    )]
-    Limit {
-        /// Width asked for.
-        width: u32,
-        /// Height asked for.
-        height: u32,
-    },
-    /// There is not enough memory now.
-    #[error("not enough memory for a picture of {width} x {height} pixels")]
-    Memory {
-        /// Width asked for.
-        width: u32,
-        /// Height asked for.
-        height: u32,
-    },
 }
 
 impl Film {
@@ -94,44 +65,5 @@ impl Film {
             }
         }
         self
-    }
-}
-
-/// How many pixels a film of this size has.
-///
-/// # Errors
-/// It is past the limits.
-pub(super) fn pixel_count(width: u32, height: u32) -> Result<usize, SizeError> {
-    let pixels = u64::from(width) * u64::from(height);
-    let sides = (1..=SIDE_LIMIT).contains(&width) && (1..=SIDE_LIMIT).contains(&height);
-    match sides && pixels <= PIXEL_LIMIT {
-        true => Ok(pixels as usize),
-        false => Err(SizeError::Limit { width, height }),
-    }
-}
-
-/// Fails where so many bytes cannot be had now: asked before a library takes them, which would end
-/// the program.
-pub(super) fn room_for(bytes: u64, header: &PictureHeader) -> Result<(), SizeError> {
-    let room =
-        usize::try_from(bytes).is_ok_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok());
-    let (width, height) = (header.width, header.height);
-    if room { Ok(()) } else { Err(SizeError::Memory { width, height }) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_limits_are_the_last_sizes_there_are() {
-        for (width, height) in [(1, 1), (SIDE_LIMIT, 1), (1, SIDE_LIMIT), (8192, 8192)] {
-            assert!(pixel_count(width, height).is_ok(), "{width} x {height}");
-        }
-        for (width, height) in
-            [(0, 1), (1, 0), (SIDE_LIMIT + 1, 1), (1, u32::MAX), (8192, 8193), (u32::MAX, u32::MAX)]
-        {
-            assert_eq!(Film::new(width, height), Err(SizeError::Limit { width, height }));
-        }
     }
 }

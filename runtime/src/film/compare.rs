@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
-use super::buffer::{Film, SizeError};
+use super::buffer::Film;
 use super::encoding::srgb_encoded;
+use super::size::SizeError;
 
 /// Root mean square and maximum of the differences of red, green and blue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]

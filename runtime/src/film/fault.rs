@@ -3,8 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::buffer::SizeError;
-use super::header::FILE_BYTES_LIMIT;
+use super::size::{FILE_BYTES_LIMIT, SizeError};
 use crate::outputs::WriteError;
 
 /// Why a picture could not be written or read.

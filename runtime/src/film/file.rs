@@ -6,11 +6,13 @@ use std::path::Path;
 use phenomenon_compiler::values::Space;
 
 use super::alpha::mapped;
-use super::buffer::{Film, SizeError};
+use super::buffer::Film;
 use super::bytes::Bytes;
 use super::encoding::srgb_decoded;
 use super::fault::{Fault, FilmError};
-use super::header::{Format, open, parsed, read_from, require_jpeg_end};
+use super::format::Format;
+use super::header::{open, parsed, read_from, require_jpeg_end};
+use super::size::SizeError;
 use super::{open_exr, radiance, raster};
 use crate::outputs;
 

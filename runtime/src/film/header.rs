@@ -3,116 +3,17 @@
 //! Every picture is looked at this way before anything else: what is past the limits is refused before
 //! memory is taken for it, however little its file holds.
 
-use std::fmt;
 use std::fs::File;
-use std::io::{self, BufReader, Read, Take};
+use std::io::{BufReader, Read, Take};
 use std::path::Path;
 
 use phenomenon_compiler::document::open_file;
 
-use super::buffer::pixel_count;
 use super::fault::{Fault, FilmError};
+use super::format::{Channels, Format, PictureHeader};
+use super::input::{array, skip};
+use super::size::{FILE_BYTES_LIMIT, HEADER_BYTES_LIMIT, pixel_count};
 use super::{open_exr, radiance};
-
-/// Most bytes of a picture that is read.
-pub const FILE_BYTES_LIMIT: u64 = 1 << 31;
-
-/// Most bytes of what a file says before its pixels.
-pub const HEADER_BYTES_LIMIT: u64 = 1 << 24;
-
-/// A format of picture files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// Portable network graphics.
-    Png,
-    /// JPEG.
-    Jpeg,
-    /// OpenEXR.
-    Exr,
-    /// Radiance's RGBE.
-    Hdr,
-}
-
-impl Format {
-    const ALL: [Format; 4] = [Format::Png, Format::Jpeg, Format::Exr, Format::Hdr];
-
-    /// The format that the ending of a file's name names.
-    pub fn of(path: &Path) -> Option<Format> {
-        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
-        match ending.as_str() {
-            "png" => Some(Format::Png),
-            "jpg" | "jpeg" => Some(Format::Jpeg),
-            "exr" => Some(Format::Exr),
-            "hdr" => Some(Format::Hdr),
-            _ => None,
-        }
-    }
-
-    /// The bytes that files of this format begin with.
-    fn signature(self) -> &'static [u8] {
-        match self {
-            Format::Png => b"\x89PNG\r\n\x1a\n",
-            Format::Jpeg => b"\xff\xd8",
-            Format::Exr => b"\x76\x2f\x31\x01",
-            Format::Hdr => b"#?",
-        }
-    }
-}
-
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Format::Png => "PNG",
-            Format::Jpeg => "JPEG",
-            Format::Exr => "OpenEXR",
-            Format::Hdr => "Radiance HDR",
-        })
-    }
-}
-
-/// Which numbers a pixel has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Channels {
-    /// One: equal red, green and blue.
-    Grey,
-    /// A grey and alpha.
-    GreyAlpha,
-    /// Red, green and blue.
-    Color,
-    /// Red, green, blue and alpha.
-    ColorAlpha,
-}
-
-impl fmt::Display for Channels {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Channels::Grey => "grey",
-            Channels::GreyAlpha => "grey with alpha",
-            Channels::Color => "color",
-            Channels::ColorAlpha => "color with alpha",
-        })
-    }
-}
-
-/// What the header of a picture says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PictureHeader {
-    /// The format, by the file's ending.
-    pub format: Format,
-    /// Pixels in a row.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-    /// Which numbers a pixel has. A transparent colour of a PNG is not seen here.
-    pub channels: Channels,
-}
-
-impl fmt::Display for PictureHeader {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { format, width, height, channels } = self;
-        write!(f, "{format}, {width} x {height}, {channels}")
-    }
-}
 
 /// Reads what the header of a picture says: quickly, whatever its size. What follows may still be
 /// damaged.
@@ -268,20 +169,5 @@ fn jpeg_marker(read: &mut impl Read) -> Result<u8, Fault> {
             return Ok(byte);
         }
         after_ff = byte == 0xff;
-    }
-}
-
-/// The next bytes.
-pub(super) fn array<const COUNT: usize>(read: &mut impl Read) -> Result<[u8; COUNT], Fault> {
-    let mut bytes = [0; COUNT];
-    read.read_exact(&mut bytes)?;
-    Ok(bytes)
-}
-
-/// Passes over bytes.
-pub(super) fn skip(read: &mut impl Read, count: u64) -> Result<(), Fault> {
-    match io::copy(&mut read.take(count), &mut io::sink())? == count {
-        true => Ok(()),
-        false => Err(io::Error::from(io::ErrorKind::UnexpectedEof).into()),
     }
 }

@@ -6,10 +6,11 @@ use image::codecs::{jpeg::JpegDecoder, png::PngDecoder, png::PngEncoder};
 use image::{ColorType, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, Limits};
 
 use super::alpha::{associated, straight};
-use super::buffer::{Film, SizeError, room_for};
+use super::buffer::Film;
 use super::encoding::{srgb_byte, srgb_decoded};
 use super::fault::Fault;
-use super::header::{Format, PictureHeader};
+use super::format::{Format, PictureHeader};
+use super::size::{SizeError, room_for};
 
 /// Most bytes a decoder may take beside the pixels: for a line, and for each of what is said about the
 /// picture.
@@ -37,7 +38,10 @@ pub(super) fn read(
         return decode(header, encoded, PngDecoder::with_limits(file, limits).map_err(fault)?);
     }
     let pixels = u64::from(header.width) * u64::from(header.height);
-    room_for(pixels * COEFFICIENT_BYTES * JPEG_CHANNELS + DECODER_BYTES_LIMIT, header)?;
+    room_for(
+        pixels * COEFFICIENT_BYTES * JPEG_CHANNELS + DECODER_BYTES_LIMIT,
+        (header.width, header.height),
+    )?;
     let mut decoder = JpegDecoder::new(file).map_err(fault)?;
     limits.max_alloc = None;
     decoder.set_limits(limits).map_err(fault)?;

@@ -2,21 +2,11 @@
 
 use phenomenon_compiler::diagnostics::shortened;
 
-use super::header::Part;
+use super::part::Part;
 use crate::film::fault::Fault;
 
 /// Most channels a message lists.
 const SHOWN_LIMIT: usize = 24;
-
-/// A channel of a part.
-#[derive(Debug)]
-pub(super) struct Channel {
-    pub(super) name: String,
-    /// Of one sample.
-    pub(super) bytes: u64,
-    /// It has fewer samples than the picture has pixels.
-    pub(super) subsampled: bool,
-}
 
 /// Which channels of a part, by number, are red, green, blue and alpha.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,10 +5,12 @@
 
 mod channels;
 mod header;
+mod part;
 mod read;
 mod write;
 
 pub(super) use header::read_header;
-pub use header::{CHANNEL_LIMIT, CHUNK_BYTES_LIMIT, CHUNK_LIMIT, PART_LIMIT};
+pub use header::{CHUNK_LIMIT, PART_LIMIT};
+pub use part::{CHANNEL_LIMIT, CHUNK_BYTES_LIMIT};
 pub(super) use read::read;
 pub(super) use write::write;

@@ -10,8 +10,8 @@ use exr::prelude::{SampleType, f16};
 
 use super::header::Header;
 use crate::film::Film;
-use crate::film::buffer::room_for;
 use crate::film::fault::Fault;
+use crate::film::size::room_for;
 
 /// What a decoder holds of a chunk at most: as it is in the file, decoded, and in between.
 const COPIES: u64 = 4;
@@ -21,7 +21,7 @@ const COPIES: u64 = 4;
 pub(in crate::film) fn read(header: &Header, file: impl Read + Seek) -> Result<Film, Fault> {
     let summary = header.summary();
     let mut film = Film::new(summary.width, summary.height)?;
-    room_for(COPIES * header.chunk_bytes, &summary)?;
+    room_for(COPIES * header.chunk_bytes, (summary.width, summary.height))?;
     if header.selection.alpha.is_none() {
         film.pixels_mut().fill([0.0, 0.0, 0.0, 1.0]);
     }

@@ -3,7 +3,8 @@
 use std::io::Read;
 
 use crate::film::fault::Fault;
-use crate::film::header::{Channels, Format, PictureHeader, array};
+use crate::film::format::{Channels, Format, PictureHeader};
+use crate::film::input::array;
 
 /// Most bytes of one line.
 const LINE_LIMIT: usize = 1 << 16;

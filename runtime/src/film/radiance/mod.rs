@@ -5,11 +5,9 @@
 mod header;
 mod pixel;
 mod read;
+mod scanline;
 mod write;
 
 pub(super) use header::read_header;
 pub(super) use read::read;
 pub(super) use write::write;
-
-/// Widths of scanlines whose run lengths are by component.
-const RUN_WIDTHS: std::ops::RangeInclusive<usize> = 8..=0x7fff;

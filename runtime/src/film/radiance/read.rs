@@ -2,12 +2,12 @@
 
 use std::io::Read;
 
-use super::RUN_WIDTHS;
 use super::header::Header;
 use super::pixel::decoded;
+use super::scanline::RUN_WIDTHS;
 use crate::film::Film;
 use crate::film::fault::Fault;
-use crate::film::header::array;
+use crate::film::input::array;
 
 /// Reads the pixels that follow a header. The values are divided by the exposures and colour corrections of
 /// the header; one that is too large becomes the largest f32.

@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
-use super::RUN_WIDTHS;
 use super::pixel::encoded;
+use super::scanline::RUN_WIDTHS;
 use crate::film::Film;
 
 /// Shortest run that is written as one: two bytes, and perhaps one more for literals that go on.
