@@ -21,18 +21,18 @@ Examples:
   phenomenon completions zsh > ~/.zfunc/_phenomenon
   phenomenon completions fish > ~/.config/fish/completions/phenomenon.fish";
 
-/// Runs the command.
+/// Runs the command; `grammar` is that of the program.
 ///
 /// # Errors
 /// Standard output cannot be written.
-pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    terminal::print_exactly(&script(arguments.shell)?)?;
+pub fn run(arguments: &Arguments, grammar: clap::Command) -> Result<Outcome, Failure> {
+    terminal::print_exactly(&script(arguments.shell, grammar)?)?;
     Ok(Outcome::Fine)
 }
 
-fn script(shell: Shell) -> Result<String, Failure> {
+fn script(shell: Shell, mut grammar: clap::Command) -> Result<String, Failure> {
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut crate::grammar(), "phenomenon", &mut script);
+    clap_complete::generate(shell, &mut grammar, "phenomenon", &mut script);
     String::from_utf8(script).map_err(|error| {
         let shell = shell.to_possible_value().map_or_else(String::new, |it| it.get_name().into());
         Failure::new(format!("the script for {shell} is no text: {error}"), "please report this")

@@ -28,12 +28,12 @@ Examples:
   phenomenon man render | man -l -
   phenomenon man -o ~/.local/share/man/man1";
 
-/// Runs the command.
+/// Runs the command; `grammar` is that of the program.
 ///
 /// # Errors
 /// There is no such command, or a page cannot be written.
-pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let pages = pages()?;
+pub fn run(arguments: &Arguments, grammar: Command) -> Result<Outcome, Failure> {
+    let pages = pages(grammar)?;
     if let Some(folder) = &arguments.output {
         write(folder, &pages)?;
         return Ok(Outcome::Fine);
@@ -56,8 +56,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 }
 
 /// Pages by name: that of the program, and one a command.
-fn pages() -> Result<Vec<(String, String)>, Failure> {
-    let mut program = crate::grammar();
+fn pages(mut program: Command) -> Result<Vec<(String, String)>, Failure> {
     // Usage of a command names the program only then.
     program.build();
     let mut pages = vec![page(&program, "phenomenon".into())?];
