@@ -8,13 +8,13 @@ use phenomenon_compiler::check::check_graph_with;
 use phenomenon_compiler::diagnostics::{Finding, Severity};
 use phenomenon_compiler::document::read;
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_runtime::scene::{is_scene, read_scene};
+use phenomenon_runtime::scene_file::{is_scene, read_scene};
 
 use super::files::InMemory;
 use super::reader::hold;
 use super::shading;
 
-pub static LIBRARY: LazyLock<NodeLibrary> = LazyLock::new(NodeLibrary::standard);
+static LIBRARY: LazyLock<NodeLibrary> = LazyLock::new(NodeLibrary::standard);
 
 /// Checks a graph or a scene. Findings hold to their rules, there is a graph unless one of them is
 /// an error, fixes leave a file that can be read, and a graph can be drawn and run.
@@ -44,8 +44,8 @@ pub fn check_anything(bytes: &[u8]) {
             .fold(0_u32, |sum, byte| sum.wrapping_mul(31).wrapping_add(u32::from(*byte)))
             % 8
         {
-            0 => shading::draw(&graph),
-            1 | 2 => shading::run(graph),
+            0 => shading::draw(&graph, &LIBRARY),
+            1 | 2 => shading::run(graph, &LIBRARY),
             _ => {}
         }
     }

@@ -5,10 +5,9 @@ use std::sync::Arc;
 use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
+use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::show::{ShowError, draw_dot, draw_svg};
 use phenomenon_compiler::state::State;
-
-use super::checker::LIBRARY;
 
 /// Most nodes of a graph that is run: what fuzzing looks for does not need more.
 const MOST_NODES: usize = 200;
@@ -50,19 +49,19 @@ impl Renderer for Nothing {
 }
 
 /// Draws the graph.
-pub fn draw(graph: &Graph) {
-    let drawing = draw_svg(graph, &LIBRARY);
+pub fn draw(graph: &Graph, library: &NodeLibrary) {
+    let drawing = draw_svg(graph, library);
     assert!(matches!(drawing, Ok(_) | Err(ShowError::TooManyBoxes { .. })), "{drawing:?}");
-    draw_dot(graph, &LIBRARY).expect("a checked graph can be written as DOT");
+    draw_dot(graph, library).expect("a checked graph can be written as DOT");
 }
 
 /// Runs the graph in two engines, which agree on bits and on what they ask for.
-pub fn run(graph: Graph) {
+pub fn run(graph: Graph, library: &NodeLibrary) {
     if graph.nodes.len() > MOST_NODES {
         return;
     }
     let graph = Arc::new(graph);
-    let library = Arc::new(LIBRARY.clone());
+    let library = Arc::new(library.clone());
     let run = |engine| {
         let options = Options { engine, batch: 8, ..Options::default() };
         let shader = Shader::new(graph.clone(), library.clone(), &[], options).ok()?;

@@ -2,8 +2,8 @@
 //!
 //! A [`scene::SceneBuilder`] takes geometry, materials (anything that implements
 //! [`phenomenon_compiler::engine::Shade`]), lights, an environment and a camera and makes a
-//! [`scene::Scene`]; [`render::render`] turns that into a [`film::Film`]. No picture depends on the
-//! number of threads, the tiles, the batch size or the shape of the BVH.
+//! [`scene::Scene`]; [`render::render`] turns that into a [`film::Film`]. [`scene_file`] reads scenes
+//! from files. No picture depends on the number of threads, the tiles, the batch size or the shape of the BVH.
 
 pub mod bvh;
 pub mod camera;
@@ -15,4 +15,5 @@ pub mod outputs;
 pub mod render;
 pub mod sampling;
 pub mod scene;
+pub mod scene_file;
 pub mod texture;

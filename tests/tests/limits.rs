@@ -24,7 +24,8 @@ use phenomenon_compiler::specialise::{MAX_INSTANCES, MAX_NESTED_LOOPS};
 use phenomenon_runtime::film::{PIXEL_LIMIT, SIDE_LIMIT};
 use phenomenon_runtime::geometry::{CONCAVE_CORNERS_LIMIT, COORDINATE_LIMIT, OBJ_BYTES_LIMIT};
 use phenomenon_runtime::render::SAMPLE_LIMIT;
-use phenomenon_runtime::scene::{DEPTH_LIMIT, read_scene};
+use phenomenon_runtime::scene::DEPTH_LIMIT;
+use phenomenon_runtime::scene_file::read_scene;
 
 /// A limit: what is limited, the most there may be, what is said past it, and a proof of it: what
 /// is said of something just past the limit, in a folder to put files in.

@@ -12,7 +12,8 @@ use phenomenon_compiler::values::Literal;
 use phenomenon_runtime::film;
 use phenomenon_runtime::monoliths;
 use phenomenon_runtime::render::{Rendered, Settings, render};
-use phenomenon_runtime::scene::{MaterialRef, MaterialSource, Scene, read_scene, settings};
+use phenomenon_runtime::scene::Scene;
+use phenomenon_runtime::scene_file::{MaterialRef, MaterialSource, read_scene, settings};
 
 const GRAPHS: [&str; 3] = [
     "graphs/constant/constant_simple.json",

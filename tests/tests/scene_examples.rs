@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use phenomenon_compiler::diagnostics::{Code, Explanation};
-use phenomenon_runtime::scene::{SceneFile, read_scene};
+use phenomenon_runtime::scene_file::{SceneFile, read_scene};
 
 fn read(text: &str) -> SceneFile {
     read_scene("example.json", text.as_bytes(), Path::new("."))

@@ -2,7 +2,7 @@
 //! `--node OBJECT:NODE[.OUTPUT]`.
 
 use phenomenon_compiler::document::{listed, nearest};
-use phenomenon_runtime::scene::{EnvironmentDescription, MaterialRef, SceneDescription};
+use phenomenon_runtime::scene_file::{EnvironmentDescription, MaterialRef, SceneDescription};
 
 use super::Change;
 use crate::arguments::{Assignment, NodePath};

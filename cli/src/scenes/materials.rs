@@ -14,7 +14,7 @@ use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::values::Literal;
 use phenomenon_runtime::monoliths;
 use phenomenon_runtime::render::CALLED_ROOTS;
-use phenomenon_runtime::scene::{
+use phenomenon_runtime::scene_file::{
     LightNames, MaterialRef, MaterialSource, SceneDescription, embedded_file, settings,
     unknown_lights,
 };

@@ -15,9 +15,10 @@ use phenomenon_compiler::document::{Document, all_mistakes};
 use phenomenon_compiler::engine::Shader;
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_runtime::scene::{
-    BuildError, EnvironmentDescription, LightNames, MaterialRef, MaterialSource, Scene,
-    SceneDescription, SceneError, SceneFile, SceneOptions, check_scene, default_scene, is_scene,
+use phenomenon_runtime::scene::{Scene, SceneError};
+use phenomenon_runtime::scene_file::{
+    BuildError, EnvironmentDescription, LightNames, MaterialRef, MaterialSource, SceneDescription,
+    SceneFile, SceneOptions, check_scene, default_scene, is_scene,
 };
 
 use self::materials::{Materials, Subject};

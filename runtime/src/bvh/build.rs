@@ -25,7 +25,9 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 
-use super::split::{Bins, Bounds, FEW, How, Item, Split, along, best_bin, best_of_few, centers};
+use super::split::{
+    Bins, Bounds, FEW, How, Item, Split, along, best_bin, best_of_few, centers, halvings,
+};
 
 /// Most levels below the root.
 pub(super) const LEVELS_LIMIT: u32 = 60;
@@ -36,11 +38,6 @@ const MANY: usize = 8192;
 /// How many levels there may be below a node of that many boxes that is the root.
 fn budget(count: usize) -> u32 {
     (2 * halvings(count) + 16).min(LEVELS_LIMIT)
-}
-
-/// How often a number is halved, rounded up, until 1 is left.
-pub(super) fn halvings(count: usize) -> u32 {
-    count.next_power_of_two().trailing_zeros()
 }
 
 /// A binary tree of boxes, one to a leaf. There is at least one box, and no coordinate is infinite

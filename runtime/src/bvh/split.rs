@@ -4,13 +4,16 @@ use std::cmp::Ordering;
 
 use glam::DVec3;
 
-use super::build::halvings;
-
 /// Bins along an axis.
 const BINS: usize = 32;
 
 /// So few boxes are split in the best place of all.
 pub(super) const FEW: usize = 16;
+
+/// How often a number is halved, rounded up, until 1 is left.
+pub(super) fn halvings(count: usize) -> u32 {
+    count.next_power_of_two().trailing_zeros()
+}
 
 /// Primitives before their order is known.
 #[derive(Clone, Copy, Debug)]

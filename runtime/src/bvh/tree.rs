@@ -30,13 +30,13 @@ pub enum TreeError {
     OutOfMemory(usize),
 }
 
-/// Which instance a primitive belongs to, and its number in it. Ordered: of two hits at the same
+/// Which object a primitive belongs to, and its number in it. Ordered: of two hits at the same
 /// distance the lower one counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PrimitiveId {
-    /// Instance number.
-    pub instance: u32,
-    /// Primitive number within the instance.
+    /// Number of the object.
+    pub object: u32,
+    /// Primitive number within the object.
     pub primitive: u32,
 }
 
@@ -77,7 +77,7 @@ impl Tree {
         &self.primitives[slot as usize]
     }
 
-    /// The instance and number of the primitive at a slot.
+    /// The object and number of the primitive at a slot.
     #[inline(always)]
     pub fn id(&self, slot: u32) -> PrimitiveId {
         self.ids[slot as usize]
@@ -100,7 +100,7 @@ impl Tree {
     }
 
     /// The nearest hit at a distance above 0 and at most `farthest`. Of equal distances the lowest
-    /// (instance, primitive).
+    /// (object, primitive).
     #[inline]
     pub fn nearest(&self, ray: &PreparedRay, farthest: f64) -> Option<RawHit> {
         let mut best: Option<RawHit> = None;

@@ -4,11 +4,10 @@ use std::collections::{HashMap, TryReserveError};
 
 use glam::DVec3;
 
-use super::COORDINATE_LIMIT;
+use super::limits::COORDINATE_LIMIT;
 use super::polygon::is_flat;
-use super::primitive::{double, single};
-use super::shape::unit;
 use super::transform::Transform;
+use super::vector::{double, single, unit};
 
 /// A triangle mesh.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,24 +1,27 @@
 //! Shapes, how rays meet them, and what is known about the points they meet.
 
+mod limits;
 mod mesh;
 mod obj;
 mod polygon;
 mod primitive;
+mod ray;
 mod shape;
+mod sheared;
 mod sphere;
 mod terminator;
 mod transform;
 mod triangle;
+mod vector;
 
+pub use limits::{COORDINATE_LIMIT, OBJ_BYTES_LIMIT};
 pub use mesh::{Mesh, MeshError};
-pub use obj::{Normals, OBJ_BYTES_LIMIT, ObjError, ObjFault, ObjMesh, parse_obj, read_obj};
+pub use obj::{Normals, ObjError, ObjFault, ObjMesh, parse_obj, read_obj};
 pub use polygon::CONCAVE_CORNERS_LIMIT;
-pub use primitive::{PreparedRay, Primitive, RawHit, double, single};
-pub use shape::{Instance, Shape, Surface};
+pub use primitive::{Primitive, RawHit};
+pub use ray::PreparedRay;
+pub use shape::{Shape, Surface};
 pub use sphere::Sphere;
 pub use terminator::ShadowTerminator;
 pub use transform::Transform;
-
-/// Largest magnitude of a world coordinate. Squares and products of coordinates up to here stay
-/// finite wherever the renderer forms them.
-pub const COORDINATE_LIMIT: f32 = 1e12;
+pub use vector::{double, single};

@@ -12,7 +12,7 @@ use std::collections::{TryReserveError, VecDeque};
 use glam::DVec3;
 use robust::{Coord, orient2d};
 
-use super::primitive::double;
+use super::vector::double;
 
 /// Most corners of a face that is no fan: clipping ears takes, at worst, the square of their
 /// number.

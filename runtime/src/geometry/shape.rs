@@ -1,30 +1,20 @@
-//! Instances, and the surface at a hit.
+//! The shapes of objects, and the surface at a hit.
 
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::primitive::{Primitive, RawHit, double, single};
-use super::{Mesh, ShadowTerminator};
+use super::mesh::Mesh;
+use super::primitive::{Primitive, RawHit};
+use super::vector::{double, single, unit};
 
-/// What an instance is made of.
+/// The shape of an object.
 #[derive(Clone, Debug)]
 pub enum Shape {
     /// One sphere.
     Sphere,
     /// A mesh, its normals in world space.
     Mesh(Arc<Mesh>),
-}
-
-/// An object placed in the scene.
-#[derive(Clone, Debug)]
-pub struct Instance {
-    /// Its shape.
-    pub shape: Shape,
-    /// Position of its material.
-    pub material: u32,
-    /// Where its own shadow ends, if it is a mesh with normals.
-    pub terminator: ShadowTerminator,
 }
 
 /// The surface where a ray met it, as seen from outside: not yet turned to the ray.
@@ -44,7 +34,7 @@ pub struct Surface {
 
 impl Surface {
     /// Works out the surface where the ray, by its origin and direction, met `primitive`, number
-    /// `number` of an instance of `shape`.
+    /// `number` of an object of `shape`.
     pub fn at(
         (origin, direction): (DVec3, DVec3),
         hit: &RawHit,
@@ -83,12 +73,6 @@ impl Surface {
             }
         }
     }
-}
-
-/// The vector made unit; none if it is zero or not finite.
-pub(super) fn unit(v: DVec3) -> Option<DVec3> {
-    let length = v.length();
-    (length > 0.0 && length.is_finite()).then(|| v / length)
 }
 
 /// Longitude from -z by way of -x, and latitude from -y up, both in 0..=1: a picture wrapped round has

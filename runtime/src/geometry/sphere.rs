@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::primitive::{PreparedRay, double};
+use super::ray::PreparedRay;
+use super::vector::double;
 
 /// A sphere in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,7 +9,7 @@
 use glam::DVec3;
 
 use super::mesh::Mesh;
-use super::primitive::double;
+use super::vector::double;
 
 /// Where the edge of a smoothly shaded mesh's own shadow runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

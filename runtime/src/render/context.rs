@@ -1,18 +1,15 @@
-//! The renderer as shaders see it.
+//! What a thread renders with: queues of rays become batches of points, and those are shaded.
 
 use std::sync::Arc;
 
-use phenomenon_compiler::effects::{
-    Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId,
-};
+use phenomenon_compiler::effects::{Answer, LightList, Ray};
 use phenomenon_compiler::engine::{Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::{RayType, State};
-use phenomenon_compiler::values::Texture;
 
 use super::clock::{Clock, Who};
-use super::lighting::Occluder;
 use super::points::{Waiting, environment_state, hit_state, prepared, unit_direction};
+use super::scratch::Scratch;
 use super::statistics::RayCounts;
 use crate::geometry::PreparedRay;
 use crate::lights::Environment;
@@ -34,18 +31,6 @@ pub struct Context<'s> {
     spare: Vec<Scratch>,
     nesting: usize,
     light_lists: Vec<Arc<[u32]>>,
-}
-
-/// Scratch space of one request.
-#[derive(Default)]
-pub(super) struct Scratch {
-    pub(super) waiting: Vec<Waiting>,
-    missed: Vec<(u32, [f32; 3])>,
-    pub(super) states: Vec<State>,
-    pub(super) results: Vec<Shaded>,
-    pub(super) occluders: Vec<Occluder>,
-    pub(super) found: Vec<Occluder>,
-    pub(super) ranges: Vec<(u32, u32, u32)>,
 }
 
 impl<'s> Context<'s> {
@@ -94,7 +79,7 @@ impl<'s> Context<'s> {
 
     /// Traces a queue: intersects all rays, shades the hits material by material in batches, then
     /// the misses.
-    fn trace_queue(
+    pub(super) fn trace_queue(
         &mut self,
         ray_type: RayType,
         rays: &[Ray],
@@ -253,111 +238,11 @@ impl<'s> Context<'s> {
         }
     }
 
-    fn probe(&mut self, rays: &[Ray], answers: &mut [Answer]) {
-        for (ray, answer) in rays.iter().zip(answers) {
-            *answer = Answer::default();
-            let Some(direction) = unit_direction(ray.direction) else { continue };
-            let Some(prepared) = prepared(ray, direction) else { continue };
-            self.counts.probe += 1;
-            if let Some(hit) = self.scene.intersect(&prepared, f64::INFINITY) {
-                *answer = Answer { color: [0.0; 4], ok: true, hit: true, distance: hit.t as f32 };
-            }
-        }
-    }
-
-    /// The light at a position of a list.
-    pub(super) fn light(&mut self, list: LightList, iteration: usize) -> Option<u32> {
+    /// The lights of a list, by their numbers.
+    pub(super) fn lights_of(&mut self, list: LightList) -> &[u32] {
         if list.0 as usize >= self.light_lists.len() {
             self.light_lists = self.scene.light_lists();
         }
-        self.light_lists.get(list.0 as usize)?.get(iteration).copied()
-    }
-}
-
-impl Renderer for Context<'_> {
-    fn trace(&mut self, effect: Effect, rays: &[Ray], answers: &mut [Answer]) {
-        let ray_type = match effect {
-            Effect::TraceReflection => RayType::Reflection,
-            Effect::TraceRefraction => RayType::Refraction,
-            Effect::TraceTransparent => RayType::Transparent,
-            Effect::TraceEnvironment => RayType::Environment,
-            Effect::TraceProbe => {
-                return self.nested(|context, _| context.probe(rays, answers));
-            }
-            Effect::LightColor | Effect::ReadTexture => return answers.fill(Answer::default()),
-        };
-        answers.fill(Answer::default());
-        self.nested(|context, scratch| {
-            let batch = context.batch;
-            for (rays, answers) in rays.chunks(batch).zip(answers.chunks_mut(batch)) {
-                context.trace_queue(ray_type, rays, answers, scratch);
-            }
-        });
-    }
-
-    fn texture(&mut self, texture: &Texture) -> TextureId {
-        self.scene.textures.number(texture)
-    }
-
-    fn read_texture(
-        &mut self,
-        texture: TextureId,
-        coordinates: &[[f32; 2]],
-        colors: &mut [Option<[f32; 4]>],
-    ) {
-        let before = self.clock.switch(Who::Renderer);
-        let picture = self.scene.textures.picture(texture);
-        for (at, color) in coordinates.iter().zip(colors) {
-            *color = picture.and_then(|picture| picture.color(*at));
-        }
-        self.clock.switch(before);
-    }
-
-    fn light_list(&mut self, names: &[String]) -> LightList {
-        let lights = &self.scene.lights;
-        let list: Vec<u32> = match names.is_empty() {
-            true => (0..lights.len() as u32).collect(),
-            false => names
-                .iter()
-                .filter_map(|name| lights.iter().position(|light| light.name == *name))
-                .map(|position| position as u32)
-                .collect(),
-        };
-        LightList(self.scene.intern_light_list(&list))
-    }
-
-    fn light_count(&mut self, list: LightList) -> usize {
-        if list.0 as usize >= self.light_lists.len() {
-            self.light_lists = self.scene.light_lists();
-        }
-        self.light_lists.get(list.0 as usize).map_or(0, |list| list.len())
-    }
-
-    fn light_samples(
-        &mut self,
-        list: LightList,
-        iteration: usize,
-        points: &[State],
-        samples: &mut [LightSample],
-    ) {
-        let before = self.clock.switch(Who::Renderer);
-        self.sample_light(list, iteration, points, samples);
-        self.clock.switch(before);
-    }
-
-    fn light_colors(
-        &mut self,
-        list: LightList,
-        iteration: usize,
-        points: &[State],
-        colors: &mut [[f32; 3]],
-    ) {
-        colors.fill([0.0; 3]);
-        self.nested(|context, scratch| {
-            let batch = context.batch;
-            for (points, colors) in points.chunks(batch).zip(colors.chunks_mut(batch)) {
-                context.light_points(list, iteration, points, colors, scratch);
-            }
-        });
+        self.light_lists.get(list.0 as usize).map_or(&[], |list| list)
     }
 }

@@ -5,26 +5,16 @@ use phenomenon_compiler::effects::{LightList, LightSample};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::{RayType, State};
 
-use super::context::{Context, Scratch};
+use super::context::Context;
 use super::points::{note, place, precise_point};
-use crate::bvh::PrimitiveId;
-use crate::geometry::{RawHit, single};
+use super::scratch::{Occluder, Scratch};
+use crate::geometry::single;
 use crate::lights::Light;
 use crate::sampling::child_path;
 use crate::scene::Scene;
 
 /// Request site of shadow rays; the light and the position among the occluders are mixed in.
 const SHADOW_SITE: u64 = 0x7368_6164_6f77;
-
-/// Something between a point and a light.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Occluder {
-    hit: RawHit,
-    id: PrimitiveId,
-    material: u32,
-    /// Position of the point.
-    point: u32,
-}
 
 impl Context<'_> {
     pub(super) fn sample_light(
@@ -34,7 +24,8 @@ impl Context<'_> {
         points: &[State],
         samples: &mut [LightSample],
     ) {
-        let light = self.light(list, iteration).map(|light| &self.scene.lights[light as usize]);
+        let light = self.lights_of(list).get(iteration).copied();
+        let light = light.map(|light| &self.scene.lights[light as usize]);
         for (point, sample) in points.iter().zip(samples) {
             *sample = match light.and_then(|light| light.seen_from(point.point)) {
                 Some(sight) => LightSample {
@@ -56,7 +47,7 @@ impl Context<'_> {
         colors: &mut [[f32; 3]],
         scratch: &mut Scratch,
     ) {
-        let Some(number) = self.light(list, iteration) else { return };
+        let Some(&number) = self.lights_of(list).get(iteration) else { return };
         let scene = self.scene;
         let light = &scene.lights[number as usize];
         scratch.occluders.clear();
@@ -107,13 +98,13 @@ impl Context<'_> {
         found.sort_unstable_by(|a, b| {
             let facing = b.hit.inside.cmp(&a.hit.inside);
             let distance = a.hit.t.total_cmp(&b.hit.t);
-            let instance = a.id.instance.cmp(&b.id.instance);
-            distance.then(instance).then(facing).then(a.id.primitive.cmp(&b.id.primitive))
+            let object = a.id.object.cmp(&b.id.object);
+            distance.then(object).then(facing).then(a.id.primitive.cmp(&b.id.primitive))
         });
         // A ray through the edge of two triangles meets both, but passes one surface.
         found.dedup_by(|next, kept| {
             let place = |occluder: &Occluder| {
-                (occluder.hit.t.to_bits(), occluder.id.instance, occluder.hit.inside)
+                (occluder.hit.t.to_bits(), occluder.id.object, occluder.hit.inside)
             };
             place(next) == place(kept)
         });

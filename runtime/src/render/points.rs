@@ -104,7 +104,7 @@ pub(super) fn hit_state(scene: &Scene, ray: &Ray, ray_type: RayType, waiting: &W
 pub(super) fn note(scene: &Scene, hit: &RawHit, surface: &Surface) -> Hit {
     let id = scene.tree.id(hit.slot);
     let position = surface.position.to_array();
-    Hit { instance: id.instance, primitive: id.primitive, position }
+    Hit { instance: id.object, primitive: id.primitive, position }
 }
 
 /// The state of an environment lookup.

@@ -8,12 +8,12 @@ use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::Hit;
 
 use super::depth::TraceDepth;
-use super::description::ShapeDescription;
+use super::object::Object;
 use crate::bvh::{PrimitiveId, Tree, TreeError};
 use crate::camera::Camera;
 use crate::geometry::{
-    COORDINATE_LIMIT, Instance, Mesh, MeshError, PreparedRay, Primitive, RawHit, ShadowTerminator,
-    Shape, Sphere, Surface, Transform, double, single,
+    COORDINATE_LIMIT, Mesh, MeshError, PreparedRay, Primitive, RawHit, ShadowTerminator, Shape,
+    Sphere, Surface, Transform, double, single,
 };
 use crate::lights::{Environment, Light};
 use crate::texture::{TextureError, Textures};
@@ -43,7 +43,7 @@ pub struct SceneBuilder {
     camera: Camera,
     depth: TraceDepth,
     primitives: Vec<(PrimitiveId, Primitive)>,
-    instances: Vec<Instance>,
+    objects: Vec<Object>,
     materials: Vec<Arc<dyn Shade>>,
     lights: Vec<Light>,
     environment: Option<Environment>,
@@ -59,7 +59,7 @@ pub struct Scene {
     pub(crate) depth: TraceDepth,
     /// Middle of the box round everything, and half its diagonal.
     pub(crate) extent: (DVec3, f64),
-    instances: Vec<Instance>,
+    objects: Vec<Object>,
     light_lists: RwLock<Vec<Arc<[u32]>>>,
     pub(crate) textures: Textures,
 }
@@ -78,7 +78,7 @@ impl SceneBuilder {
             camera,
             depth: TraceDepth::default(),
             primitives: Vec::new(),
-            instances: Vec::new(),
+            objects: Vec::new(),
             materials: Vec::new(),
             lights: Vec::new(),
             environment: None,
@@ -118,10 +118,10 @@ impl SceneBuilder {
         material: u32,
     ) -> Result<&mut Self, SceneError> {
         let sphere = placed_sphere(center, radius, transform)?;
-        let id = PrimitiveId { instance: self.instances.len() as u32, primitive: 0 };
+        let id = PrimitiveId { object: self.objects.len() as u32, primitive: 0 };
         self.primitives.push((id, Primitive::Sphere(sphere)));
         let terminator = ShadowTerminator::default();
-        self.instances.push(Instance { shape: Shape::Sphere, material, terminator });
+        self.objects.push(Object { shape: Shape::Sphere, material, terminator });
         Ok(self)
     }
 
@@ -144,13 +144,13 @@ impl SceneBuilder {
         terminator: ShadowTerminator,
     ) -> Result<&mut Self, SceneError> {
         let mesh = mesh.transformed(transform)?;
-        let instance = self.instances.len() as u32;
+        let object = self.objects.len() as u32;
         self.primitives.try_reserve(mesh.triangles.len()).map_err(MeshError::from)?;
         self.primitives.extend((0..mesh.triangles.len()).map(|number| {
-            let id = PrimitiveId { instance, primitive: number as u32 };
+            let id = PrimitiveId { object, primitive: number as u32 };
             (id, Primitive::Triangle(mesh.vertices(number)))
         }));
-        self.instances.push(Instance { shape: Shape::Mesh(Arc::new(mesh)), material, terminator });
+        self.objects.push(Object { shape: Shape::Mesh(Arc::new(mesh)), material, terminator });
         Ok(self)
     }
 
@@ -187,30 +187,15 @@ impl SceneBuilder {
             camera: self.camera,
             depth: self.depth,
             extent,
-            instances: self.instances,
+            objects: self.objects,
             light_lists: RwLock::new(Vec::new()),
             textures,
         })
     }
 }
 
-/// Whether [`SceneBuilder`] would take a shape where a transform puts it.
-pub(super) fn check_placed(
-    shape: &ShapeDescription,
-    transform: &Transform,
-) -> Result<(), SceneError> {
-    match shape {
-        ShapeDescription::Sphere { center, radius } => {
-            placed_sphere(*center, *radius, transform).map(drop)
-        }
-        // Most meshes stand as they are, and need no copy.
-        ShapeDescription::Mesh(mesh) if *transform == Transform::default() => Ok(mesh.validate()?),
-        ShapeDescription::Mesh(mesh) => Ok(mesh.transformed(transform).map(drop)?),
-    }
-}
-
 /// The sphere where a transform puts it.
-fn placed_sphere(
+pub(crate) fn placed_sphere(
     center: [f64; 3],
     radius: f64,
     transform: &Transform,
@@ -246,7 +231,7 @@ impl Scene {
     #[inline]
     pub fn surface(&self, origin: DVec3, direction: DVec3, hit: &RawHit) -> Surface {
         let id = self.tree.id(hit.slot);
-        let shape = &self.instances[id.instance as usize].shape;
+        let shape = &self.objects[id.object as usize].shape;
         Surface::at((origin, direction), hit, self.tree.primitive(hit.slot), shape, id.primitive)
     }
 
@@ -254,8 +239,8 @@ impl Scene {
     /// that stands for a round surface.
     #[inline]
     pub(crate) fn shadow_start(&self, hit: &Hit, point: DVec3, inside: bool) -> DVec3 {
-        match self.instances.get(hit.instance as usize) {
-            Some(Instance { shape: Shape::Mesh(mesh), terminator, .. })
+        match self.objects.get(hit.instance as usize) {
+            Some(Object { shape: Shape::Mesh(mesh), terminator, .. })
                 if *terminator == ShadowTerminator::Smooth =>
             {
                 mesh.lifted(hit.primitive, point, inside)
@@ -267,7 +252,7 @@ impl Scene {
     /// Position of the material at a hit.
     #[inline]
     pub(crate) fn material_at(&self, hit: &RawHit) -> u32 {
-        self.instances[self.tree.id(hit.slot).instance as usize].material
+        self.objects[self.tree.id(hit.slot).object as usize].material
     }
 
     /// How many primitives it has.

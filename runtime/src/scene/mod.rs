@@ -1,26 +1,9 @@
-//! Scenes: what is rendered, and the files that describe it.
+//! Scenes: what is rendered.
 
-mod assets;
 mod build;
 mod depth;
-mod description;
-mod embedded;
-mod file;
-mod fit;
-mod foreign;
-mod meshes;
-mod objects;
-mod surroundings;
+mod object;
 
-pub use assets::{Assets, Unusable};
+pub(crate) use build::placed_sphere;
 pub use build::{Scene, SceneBuilder, SceneError};
 pub use depth::{DEPTH_LIMIT, TraceDepth};
-pub use description::{
-    BuildError, EnvironmentDescription, GraphUse, MaterialRef, MaterialSource, ObjectDescription,
-    SceneDescription, SceneOptions, ShapeDescription,
-};
-pub use embedded::{default_scene, embedded_file};
-pub use file::{
-    LightNames, SceneFile, check_scene, check_scene_with, is_scene, read_scene, read_scene_file,
-};
-pub use fit::{missing_root, settings, unknown_lights};

@@ -7,7 +7,7 @@ use phenomenon_compiler::diagnostics::{Code, Severity};
 use phenomenon_runtime::geometry::{
     CONCAVE_CORNERS_LIMIT, Mesh, Normals, ObjFault, ObjMesh, parse_obj, read_obj,
 };
-use phenomenon_runtime::scene::{SceneFile, ShapeDescription, read_scene};
+use phenomenon_runtime::scene_file::{SceneFile, ShapeDescription, read_scene};
 
 use crate::shaders::Numbers;
 

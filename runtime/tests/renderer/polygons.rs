@@ -103,7 +103,7 @@ fn covered_once(name: &str, polygon: &[Point], numbers: &mut Numbers) {
     assert!((area - expected).abs() <= 1e-9 * expected.abs(), "{name}: {area} for {expected}");
     let primitives: Vec<_> = (0..mesh.triangles.len())
         .map(|at| {
-            let id = PrimitiveId { instance: 0, primitive: at as u32 };
+            let id = PrimitiveId { object: 0, primitive: at as u32 };
             (id, Primitive::Triangle(mesh.vertices(at)))
         })
         .collect();

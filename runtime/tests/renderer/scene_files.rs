@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::engine::Shade;
-use phenomenon_runtime::scene::{
+use phenomenon_runtime::scene_file::{
     BuildError, MaterialSource, SceneFile, ShapeDescription, default_scene, embedded_file,
     read_scene, read_scene_file,
 };

@@ -4,7 +4,8 @@ use phenomenon_runtime::film::Film;
 use phenomenon_runtime::render::{
     Region, RenderError, SAMPLE_LIMIT, Settings, render, render_region,
 };
-use phenomenon_runtime::scene::{Scene, read_scene};
+use phenomenon_runtime::scene::Scene;
+use phenomenon_runtime::scene_file::read_scene;
 use std::path::Path;
 use std::sync::Arc;
 

@@ -30,7 +30,7 @@ fn mixed_primitives(
                 0 => Primitive::Sphere(Sphere { center, radius: size }),
                 _ => Primitive::Triangle([corner(), corner(), corner()]),
             };
-            (PrimitiveId { instance: number % 5, primitive: number / 5 }, primitive)
+            (PrimitiveId { object: number % 5, primitive: number / 5 }, primitive)
         })
         .collect()
 }
@@ -80,12 +80,12 @@ fn of_equal_distances_the_lowest_number_counts() {
     for order in [[(3, 0), (1, 7), (1, 2), (2, 0)], [(1, 2), (2, 0), (3, 0), (1, 7)]] {
         let primitives: Vec<_> = order
             .iter()
-            .map(|&(instance, primitive)| (PrimitiveId { instance, primitive }, triangle))
+            .map(|&(object, primitive)| (PrimitiveId { object, primitive }, triangle))
             .collect();
         let tree = Tree::build(&primitives).unwrap();
         let ray = PreparedRay::new([0.0, 0.0, 1.0], [0.0, 0.0, -1.0]);
         let hit = tree.nearest(&ray, f64::INFINITY).unwrap();
-        assert_eq!(tree.id(hit.slot), PrimitiveId { instance: 1, primitive: 2 });
+        assert_eq!(tree.id(hit.slot), PrimitiveId { object: 1, primitive: 2 });
         // The limit itself still counts, less does not.
         assert!(tree.nearest(&ray, 1.0).is_some());
         assert!(tree.nearest(&ray, 1f64.next_down()).is_none());
@@ -96,7 +96,7 @@ fn of_equal_distances_the_lowest_number_counts() {
 fn an_empty_tree_and_a_tree_of_one() {
     let ray = PreparedRay::new([0.0, 0.0, 5.0], [0.0, 0.0, -1.0]);
     assert!(Tree::build(&[]).unwrap().nearest(&ray, f64::INFINITY).is_none());
-    let id = PrimitiveId { instance: 0, primitive: 0 };
+    let id = PrimitiveId { object: 0, primitive: 0 };
     let sphere = Primitive::Sphere(Sphere { center: [0.0; 3], radius: 1.0 });
     let tree = Tree::build(&[(id, sphere)]).unwrap();
     assert_eq!(tree.nearest(&ray, f64::INFINITY).unwrap().t, 4.0);
@@ -104,7 +104,7 @@ fn an_empty_tree_and_a_tree_of_one() {
 
 #[test]
 fn boxes_much_nearer_than_any_epsilon_are_not_lost() {
-    let id = PrimitiveId { instance: 0, primitive: 0 };
+    let id = PrimitiveId { object: 0, primitive: 0 };
     let sphere = Primitive::Sphere(Sphere { center: [0.0; 3], radius: 1e-9 });
     let tree = Tree::build(&[(id, sphere)]).unwrap();
     let ray = PreparedRay::new([0.0, 0.0, 3e-9], [0.0, 0.0, -1.0]);

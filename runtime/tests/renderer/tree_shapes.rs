@@ -8,7 +8,7 @@ use crate::shaders::Numbers;
 type Listed = Vec<(PrimitiveId, Primitive)>;
 
 fn listed(count: usize, of: impl Fn(usize) -> Primitive) -> Listed {
-    let id = |at: usize| PrimitiveId { instance: (at % 3) as u32, primitive: (at / 3) as u32 };
+    let id = |at: usize| PrimitiveId { object: (at % 3) as u32, primitive: (at / 3) as u32 };
     (0..count).map(|at| (id(at), of(at))).collect()
 }
 

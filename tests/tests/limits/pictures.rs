@@ -8,7 +8,7 @@ use phenomenon_runtime::film::{
     CHANNEL_LIMIT, CHUNK_BYTES_LIMIT, CHUNK_LIMIT, DECODER_BYTES_LIMIT, FILE_BYTES_LIMIT, Film,
     HEADER_BYTES_LIMIT, PART_LIMIT, PIXEL_LIMIT, SIDE_LIMIT, read, read_header, write,
 };
-use phenomenon_runtime::scene::read_scene;
+use phenomenon_runtime::scene_file::read_scene;
 use phenomenon_runtime::texture::{TEXTURE_PIXEL_LIMIT, Textures};
 
 use super::{CAMERA, Limit, limit, sparse};

@@ -13,7 +13,7 @@ use phenomenon_compiler::check::{Checked, Files, OnDisk, check_graph_with};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::{self, Document};
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_runtime::scene::is_scene;
+use phenomenon_runtime::scene_file::is_scene;
 
 use crate::arguments;
 use crate::difference;

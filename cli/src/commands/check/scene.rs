@@ -9,7 +9,7 @@ use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::{Document, all_mistakes};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_runtime::scene::{
+use phenomenon_runtime::scene_file::{
     Assets, MaterialRef, MaterialSource, SceneFile, check_scene_with, is_scene, missing_root,
     settings, unknown_lights,
 };

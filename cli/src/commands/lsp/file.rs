@@ -8,7 +8,7 @@ use phenomenon_compiler::check::check_graph_with;
 use phenomenon_compiler::diagnostics::{Finding, Place, Related, Severity, SourceFile};
 use phenomenon_compiler::document::{self, Document, ValueKind};
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_runtime::scene::{Assets, is_scene};
+use phenomenon_runtime::scene_file::{Assets, is_scene};
 use serde_json::{Value, json};
 
 use super::address::{names_of, path_of, uri_of};

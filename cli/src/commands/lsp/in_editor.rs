@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use phenomenon_compiler::check::{Files, OnDisk};
 use phenomenon_compiler::diagnostics::{Code, Finding};
 use phenomenon_compiler::document::{self, Document};
-use phenomenon_runtime::scene::Assets;
+use phenomenon_runtime::scene_file::Assets;
 
 use super::address::names_of;
 

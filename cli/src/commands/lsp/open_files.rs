@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use phenomenon_compiler::check::{Files, OnDisk};
 use phenomenon_compiler::document::Document;
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_runtime::scene::Assets;
+use phenomenon_runtime::scene_file::Assets;
 use serde_json::Value;
 
 use super::address::{names_of, path_of};

@@ -12,7 +12,7 @@ use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::film;
 use phenomenon_runtime::render::{Region, RenderError, Rendered, Settings, render_region};
-use phenomenon_runtime::scene::SceneOptions;
+use phenomenon_runtime::scene_file::SceneOptions;
 
 use self::cost::Cost;
 use crate::arguments::{self, Assignment, NodePath, Size};

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::read::OBJ_BYTES_LIMIT;
+use crate::geometry::limits::OBJ_BYTES_LIMIT;
 use crate::geometry::mesh::MeshError;
 use crate::geometry::polygon::CONCAVE_CORNERS_LIMIT;
 

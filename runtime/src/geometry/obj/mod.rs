@@ -7,4 +7,4 @@ mod read;
 mod statements;
 
 pub use fault::{ObjError, ObjFault};
-pub use read::{Normals, OBJ_BYTES_LIMIT, ObjMesh, parse_obj, read_obj};
+pub use read::{Normals, ObjMesh, parse_obj, read_obj};

@@ -9,10 +9,8 @@ use super::attributes::Attributes;
 use super::faces::Assembly;
 use super::fault::{ObjError, ObjFault};
 use super::statements::Statements;
+use crate::geometry::limits::OBJ_BYTES_LIMIT;
 use crate::geometry::mesh::{Mesh, MeshError};
-
-/// Largest OBJ file that is read, in bytes.
-pub const OBJ_BYTES_LIMIT: u64 = 1 << 30;
 
 /// Which normals a mesh is shaded with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

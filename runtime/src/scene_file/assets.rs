@@ -9,7 +9,7 @@ use std::time::SystemTime;
 
 use phenomenon_compiler::diagnostics::Code;
 
-use super::meshes;
+use super::mesh_file::{MeshRefusal, ReadMesh, read_mesh};
 use crate::film::{self, Film, FilmError};
 use crate::geometry::Normals;
 
@@ -30,7 +30,7 @@ struct Known {
     /// Whether a picture can be used, and if not, why.
     pictures: Remembered<PathBuf, Result<(), Unusable>>,
     /// The box round a mesh, or why it cannot be used.
-    meshes: Remembered<(PathBuf, Normals), Result<meshes::Known, meshes::Refusal>>,
+    meshes: Remembered<(PathBuf, Normals), Result<ReadMesh, MeshRefusal>>,
 }
 
 type Remembered<K, T> = RefCell<HashMap<K, (Stamp, T)>>;
@@ -96,17 +96,13 @@ impl Assets {
     }
 
     /// A mesh; the box round it where only its outcome is remembered.
-    pub(super) fn mesh(
-        &self,
-        path: &Path,
-        normals: Normals,
-    ) -> Result<meshes::Known, meshes::Refusal> {
+    pub(super) fn mesh(&self, path: &Path, normals: Normals) -> Result<ReadMesh, MeshRefusal> {
         let read = || {
             self.reads.set(self.reads.get() + 1);
-            meshes::read(path, normals)
+            read_mesh(path, normals)
         };
         let (Some(known), Some(stamp)) = (&self.known, Stamp::of(path)) else { return read() };
-        let boxed = || read().map(meshes::Known::boxed);
+        let boxed = || read().map(ReadMesh::boxed);
         remembered(&known.meshes, (reached(path), normals), stamp, boxed)
     }
 }

@@ -5,16 +5,17 @@ use std::path::Path;
 use phenomenon_compiler::diagnostics::{Code, Finding, Place};
 use phenomenon_compiler::document::numbers::{self, Whole};
 use phenomenon_compiler::document::{
-    Document, Object, Reader, Value, ValueKind, all_mistakes, read, read_file,
+    Document, Reader, Value, ValueKind, all_mistakes, read, read_file,
 };
-use phenomenon_compiler::schema::{COORDINATES, OPTIONS, SCENE, Section};
+use phenomenon_compiler::schema::{OPTIONS, SCENE};
 
 use super::assets::Assets;
-use super::depth::{DEPTH_LIMIT, TraceDepth};
 use super::description::{GraphUse, SceneDescription, SceneOptions};
+use super::fields::section;
 use super::{objects, surroundings};
 use crate::film::{PIXEL_LIMIT, SIDE_LIMIT};
 use crate::render::SAMPLE_LIMIT;
+use crate::scene::{DEPTH_LIMIT, TraceDepth};
 
 /// What reading a scene yields.
 #[derive(Clone, Default)]
@@ -206,23 +207,4 @@ fn trace_depth<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<TraceDep
         .collect();
     let numbers: Option<Vec<i32>> = numbers.into_iter().collect();
     TraceDepth::from_numbers(&numbers?)
-}
-
-/// A point, direction or the like.
-pub(super) fn vector<'d>(
-    reader: &mut Reader<'d>,
-    object: &Object<'d>,
-    key: &str,
-) -> Option<[f64; 3]> {
-    let value = object.required(reader, key)?;
-    reader.numbers(value, &format!("`{key}` of {}", object.what), COORDINATES)
-}
-
-/// An object with the keys of a section, or a finding.
-pub(super) fn section<'d>(
-    reader: &mut Reader<'d>,
-    value: &'d Value,
-    section: &Section,
-) -> Option<Object<'d>> {
-    reader.object(value, section.what, &section.names())
 }

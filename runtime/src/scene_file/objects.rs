@@ -1,10 +1,9 @@
 //! The objects of a scene file, with their transforms and materials.
 
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
-use phenomenon_compiler::check::Setting;
 use phenomenon_compiler::diagnostics::{Code, Finding};
 use phenomenon_compiler::document::{Object, Reader, Value, ValueKind};
 use phenomenon_compiler::graph::RootKind;
@@ -13,11 +12,10 @@ use phenomenon_compiler::schema::{
 };
 
 use super::assets::Assets;
-use super::build::check_placed;
 use super::description::{
     GraphUse, MaterialRef, MaterialSource, ObjectDescription, ShapeDescription,
 };
-use super::file::{section, vector};
+use super::fields::{file_path, graph_file, section, settings, vector};
 use super::foreign;
 use super::meshes::Meshes;
 use crate::geometry::{Mesh, Normals, ShadowTerminator, Transform};
@@ -87,7 +85,7 @@ fn object<'d>(
         reader.report(Code::UNUSABLE_OBJECT, place, message, "give `scale` one number");
         return None;
     }
-    if let Err(error) = check_placed(&shape, &transform) {
+    if let Err(error) = shape.check_placed(&transform) {
         // Without a transform it is the shape itself that is too large.
         let place = object.optional("transform").or(object.optional(kind)).unwrap_or(value);
         let message = format!("this object cannot be placed: {error}");
@@ -215,35 +213,4 @@ fn material<'d>(reader: &mut Reader<'d>, value: &'d Value, folder: &Path) -> Opt
             None
         }
     }
-}
-
-/// The graph file named at `file`, with the `set` of the object round it.
-pub(super) fn graph_file<'d>(
-    reader: &mut Reader<'d>,
-    object: &Object<'d>,
-    file: &'d Value,
-    what: &str,
-    folder: &Path,
-) -> Option<MaterialRef> {
-    let source = file_path(reader, file, what, folder).map(MaterialSource::File);
-    let set = settings(reader, object);
-    let place = reader.document.place(file);
-    Some(MaterialRef { source: source?, set: set?, place, change: None })
-}
-
-/// The members of `set`; what they may be only the graph can tell. None where it is no object.
-fn settings<'d>(reader: &mut Reader<'d>, object: &Object<'d>) -> Option<Vec<Setting>> {
-    let Some(value) = object.optional("set") else { return Some(Vec::new()) };
-    let members = reader.members(value, "`set`")?;
-    Some(members.map(|member| Setting::new(reader.document, member)).collect())
-}
-
-/// A path, which starts at the scene's folder.
-pub(super) fn file_path<'d>(
-    reader: &mut Reader<'d>,
-    value: &'d Value,
-    what: &str,
-    folder: &Path,
-) -> Option<PathBuf> {
-    reader.string(value, what).map(|path| folder.join(path))
 }

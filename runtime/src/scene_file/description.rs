@@ -8,11 +8,10 @@ use phenomenon_compiler::diagnostics::Place;
 use phenomenon_compiler::engine::Shade;
 use phenomenon_compiler::graph::RootKind;
 
-use super::build::{Scene, SceneBuilder, SceneError};
-use super::depth::TraceDepth;
 use crate::camera::Camera;
 use crate::geometry::{Mesh, ShadowTerminator, Transform};
 use crate::lights::{Environment, Light};
+use crate::scene::{Scene, SceneBuilder, SceneError, TraceDepth, placed_sphere};
 
 /// A scene as its file describes it.
 #[derive(Clone)]
@@ -79,6 +78,22 @@ pub enum ShapeDescription {
     },
     /// A mesh.
     Mesh(Arc<Mesh>),
+}
+
+impl ShapeDescription {
+    /// Whether [`SceneBuilder`] would take the shape where a transform puts it.
+    pub(super) fn check_placed(&self, transform: &Transform) -> Result<(), SceneError> {
+        match self {
+            ShapeDescription::Sphere { center, radius } => {
+                placed_sphere(*center, *radius, transform).map(drop)
+            }
+            // Most meshes stand as they are, and need no copy.
+            ShapeDescription::Mesh(mesh) if *transform == Transform::default() => {
+                Ok(mesh.validate()?)
+            }
+            ShapeDescription::Mesh(mesh) => Ok(mesh.transformed(transform).map(drop)?),
+        }
+    }
 }
 
 /// Which graph shades something.

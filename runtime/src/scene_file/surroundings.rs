@@ -13,9 +13,8 @@ use phenomenon_compiler::schema::{
 
 use super::assets::{Assets, Unusable};
 use super::description::{EnvironmentDescription, GraphUse};
-use super::file::{section, vector};
+use super::fields::{file_path, graph_file, section, vector};
 use super::foreign;
-use super::objects::{file_path, graph_file};
 use crate::camera::Camera;
 use crate::lights::{Environment, EnvironmentImage, Light, LightKind};
 

@@ -1,0 +1,111 @@
+//! The renderer as shaders see it: what they may ask of a context.
+
+use phenomenon_compiler::effects::{
+    Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId,
+};
+use phenomenon_compiler::state::{RayType, State};
+use phenomenon_compiler::values::Texture;
+
+use super::clock::Who;
+use super::context::Context;
+use super::points::{prepared, unit_direction};
+
+impl Renderer for Context<'_> {
+    fn trace(&mut self, effect: Effect, rays: &[Ray], answers: &mut [Answer]) {
+        let ray_type = match effect {
+            Effect::TraceReflection => RayType::Reflection,
+            Effect::TraceRefraction => RayType::Refraction,
+            Effect::TraceTransparent => RayType::Transparent,
+            Effect::TraceEnvironment => RayType::Environment,
+            Effect::TraceProbe => {
+                return self.nested(|context, _| context.probe(rays, answers));
+            }
+            Effect::LightColor | Effect::ReadTexture => return answers.fill(Answer::default()),
+        };
+        answers.fill(Answer::default());
+        self.nested(|context, scratch| {
+            let batch = context.batch;
+            for (rays, answers) in rays.chunks(batch).zip(answers.chunks_mut(batch)) {
+                context.trace_queue(ray_type, rays, answers, scratch);
+            }
+        });
+    }
+
+    fn texture(&mut self, texture: &Texture) -> TextureId {
+        self.scene.textures.number(texture)
+    }
+
+    fn read_texture(
+        &mut self,
+        texture: TextureId,
+        coordinates: &[[f32; 2]],
+        colors: &mut [Option<[f32; 4]>],
+    ) {
+        let before = self.clock.switch(Who::Renderer);
+        let picture = self.scene.textures.picture(texture);
+        for (at, color) in coordinates.iter().zip(colors) {
+            *color = picture.and_then(|picture| picture.color(*at));
+        }
+        self.clock.switch(before);
+    }
+
+    fn light_list(&mut self, names: &[String]) -> LightList {
+        let lights = &self.scene.lights;
+        let list: Vec<u32> = match names.is_empty() {
+            true => (0..lights.len() as u32).collect(),
+            false => names
+                .iter()
+                .filter_map(|name| lights.iter().position(|light| light.name == *name))
+                .map(|position| position as u32)
+                .collect(),
+        };
+        LightList(self.scene.intern_light_list(&list))
+    }
+
+    fn light_count(&mut self, list: LightList) -> usize {
+        self.lights_of(list).len()
+    }
+
+    fn light_samples(
+        &mut self,
+        list: LightList,
+        iteration: usize,
+        points: &[State],
+        samples: &mut [LightSample],
+    ) {
+        let before = self.clock.switch(Who::Renderer);
+        self.sample_light(list, iteration, points, samples);
+        self.clock.switch(before);
+    }
+
+    fn light_colors(
+        &mut self,
+        list: LightList,
+        iteration: usize,
+        points: &[State],
+        colors: &mut [[f32; 3]],
+    ) {
+        colors.fill([0.0; 3]);
+        self.nested(|context, scratch| {
+            let batch = context.batch;
+            for (points, colors) in points.chunks(batch).zip(colors.chunks_mut(batch)) {
+                context.light_points(list, iteration, points, colors, scratch);
+            }
+        });
+    }
+}
+
+impl Context<'_> {
+    /// Looks for the next surface, and shades nothing.
+    fn probe(&mut self, rays: &[Ray], answers: &mut [Answer]) {
+        for (ray, answer) in rays.iter().zip(answers) {
+            *answer = Answer::default();
+            let Some(direction) = unit_direction(ray.direction) else { continue };
+            let Some(prepared) = prepared(ray, direction) else { continue };
+            self.counts.probe += 1;
+            if let Some(hit) = self.scene.intersect(&prepared, f64::INFINITY) {
+                *answer = Answer { color: [0.0; 4], ok: true, hit: true, distance: hit.t as f32 };
+            }
+        }
+    }
+}

@@ -1,0 +1,24 @@
+//! Scene files: how scenes are written, read and checked.
+
+mod assets;
+mod description;
+mod embedded;
+mod fields;
+mod file;
+mod fit;
+mod foreign;
+mod mesh_file;
+mod meshes;
+mod objects;
+mod surroundings;
+
+pub use assets::{Assets, Unusable};
+pub use description::{
+    BuildError, EnvironmentDescription, GraphUse, MaterialRef, MaterialSource, ObjectDescription,
+    SceneDescription, SceneOptions, ShapeDescription,
+};
+pub use embedded::{default_scene, embedded_file};
+pub use file::{
+    LightNames, SceneFile, check_scene, check_scene_with, is_scene, read_scene, read_scene_file,
+};
+pub use fit::{missing_root, settings, unknown_lights};
