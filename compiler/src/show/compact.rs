@@ -2,9 +2,9 @@
 //! makes the wires across it no longer. The passes that give each column its heights cannot: they
 //! move one column at a time, and a group of boxes that hold one another level stays where it is.
 
-use super::coordinates::distance;
 use super::order::Columns;
 use super::routes::{Body, Routes};
+use super::spacing::distance;
 
 /// Most steps (boxes times what they are compared with); larger drawings stay as they are.
 const MOST_STEPS: usize = 20_000_000;

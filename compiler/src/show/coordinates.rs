@@ -2,7 +2,8 @@
 
 use super::compact::close_gaps;
 use super::order::Columns;
-use super::routes::{Body, Routes, Vertex};
+use super::routes::{Body, Routes};
+use super::spacing::distance;
 use super::straighten::{make_way, straighten, tidy};
 
 /// Passes over all columns.
@@ -11,12 +12,6 @@ const PASSES: usize = 64;
 const LEVEL_PASSES: usize = 16;
 /// How far that may be from where its wires together want it.
 const NEARLY: f64 = 40.0;
-/// Between two boxes.
-const CARD_GAP: f64 = 22.0;
-/// Between a box and a passing wire.
-const WIRE_GAP: f64 = 15.0;
-/// Between two passing wires.
-const LANE_GAP: f64 = 4.0;
 
 /// The middle of each vertex; the smallest top is 0.
 pub(super) fn coordinates(routes: &Routes, columns: &Columns) -> Vec<f64> {
@@ -101,16 +96,6 @@ impl Pulls {
         let place = nearest.filter(|place| level && (place - mean).abs() <= NEARLY);
         Some((place.unwrap_or(mean), weight))
     }
-}
-
-/// Least distance of the middles of two vertices, the first above the second.
-pub(super) fn distance(upper: &Vertex, lower: &Vertex) -> f64 {
-    let gap = match (upper.body, lower.body) {
-        (Body::Bend, Body::Bend) => LANE_GAP,
-        (Body::Card(_), Body::Card(_)) => CARD_GAP,
-        _ => WIRE_GAP,
-    };
-    upper.height / 2.0 + gap + lower.height / 2.0
 }
 
 /// Every column piled up, its middle at 0.

@@ -1,15 +1,6 @@
 //! What of a diagram is never evaluated.
 
-use super::diagram::{Diagram, Wire};
-
-/// Why something is never evaluated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Dead {
-    /// No root reaches it.
-    Unreached,
-    /// Roots reach it only through inputs that constants rule out.
-    RuledOut,
-}
+use super::diagram::{Dead, Diagram, Wire};
 
 /// Finds what is evaluated: what a root reaches through inputs that no constant rules out.
 pub(super) fn mark_dead(diagram: &mut Diagram<'_>) {

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::graph::Graph;
 use crate::nodes::NodeLibrary;
 
+use super::build::diagram;
 use super::diagram::{Card, Diagram, Given, Role};
 use super::error::ShowError;
 use super::escape::{dot, xml};
@@ -21,7 +22,7 @@ const LONGEST: usize = 40;
 /// # Errors
 /// A graph that was not checked with `library`.
 pub fn draw_dot(graph: &Graph, library: &NodeLibrary) -> Result<String, ShowError> {
-    let diagram = Diagram::new(graph, library)?;
+    let diagram = diagram(graph, library, usize::MAX)?;
     let mut text = format!(
         "digraph \"{}\" {{\n  rankdir=LR; nodesep=0.3; ranksep=0.8; bgcolor=white;\n  \
          fontname=\"Helvetica\"; fontsize=16; labelloc=t; labeljust=l; label=\"{}\";\n  \

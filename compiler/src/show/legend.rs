@@ -5,8 +5,8 @@ use std::fmt::Write;
 use crate::values::Type;
 
 use super::diagram::{Diagram, Given};
-use super::marks::Look;
-use super::svg::{Pen, short};
+use super::look::Look;
+use super::pen::{Pen, short};
 use super::theme::{HEADER, MUTED, OUTLINE, PAPER, PARAMETER, SMALL, color};
 
 /// Height of a line.

@@ -4,27 +4,10 @@ use std::fmt::Write;
 
 use crate::values::Type;
 
-use super::svg::{Pen, short};
+use super::look::Look;
+use super::pen::{Pen, short};
 use super::text::Font;
 use super::theme::{INK, PAPER, RULED_OUT, Shape, color, shape};
-
-/// How a socket looks, besides its type.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Look {
-    /// Evaluated only where needed.
-    pub hollow: bool,
-    /// Evaluated in a scope.
-    pub double: bool,
-    /// Nothing is connected.
-    pub small: bool,
-}
-
-impl Look {
-    /// A connected socket with nothing else to say.
-    pub fn plain() -> Self {
-        Self { hollow: false, double: false, small: false }
-    }
-}
 
 impl Pen {
     /// What is left of a parameter's wire that is not drawn, before the socket at `x`.

@@ -25,6 +25,8 @@
 //! makes wires level), and `svg` writes it down. Nothing depends
 //! on hashes, time or addresses: the same graph gives the same bytes.
 
+mod build;
+mod cards;
 mod compact;
 mod coordinates;
 mod dead;
@@ -37,14 +39,18 @@ mod implied;
 mod layers;
 mod layout;
 mod legend;
+mod look;
 mod marks;
 mod order;
+mod pen;
 mod routes;
+mod spacing;
 mod straighten;
 mod svg;
 mod text;
 mod theme;
 mod values;
+mod wires;
 
 #[cfg(test)]
 mod tests;

@@ -1,8 +1,8 @@
 //! Makes wires level that nearly are, and those that pass columns level over as many as possible.
 
-use super::coordinates::distance;
 use super::order::Columns;
 use super::routes::{Body, Routes};
+use super::spacing::distance;
 
 /// How far a box moves for one of its wires.
 const LITTLE: f64 = 16.0;

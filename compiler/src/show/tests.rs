@@ -5,8 +5,7 @@ use std::time::Instant;
 
 use proptest::prelude::*;
 
-use super::dead::Dead;
-use super::diagram::{Diagram, Wire};
+use super::diagram::{Dead, Diagram, Wire};
 use super::layout::{Layout, Place, layout};
 use super::{MAX_BOXES, ShowError, draw_dot, draw_svg};
 use crate::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
@@ -81,7 +80,7 @@ fn chain(library: &NodeLibrary, length: usize) -> Graph {
 }
 
 fn laid_out<'a>(graph: &'a Graph, library: &'a NodeLibrary) -> (Diagram<'a>, Layout) {
-    let diagram = Diagram::new(graph, library).expect("it is consistent");
+    let diagram = super::build::diagram(graph, library, usize::MAX).expect("it is consistent");
     let layout = layout(&diagram).expect("it has no cycle");
     (diagram, layout)
 }
