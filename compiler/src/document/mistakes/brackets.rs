@@ -2,8 +2,10 @@
 //! line that stands further out than it should follows one that is missing, a line that stands further
 //! in follows one too many. Indentation is believed only as far as the brackets need it.
 
-use super::tokens::{Kind, Lexer, Token};
-use super::{MOST, Mistake};
+use crate::diagnostics::shortened;
+
+use super::lexer::{Kind, Lexer, Token};
+use super::mistake::{MOST, Mistake};
 
 /// Deepest nesting that is followed.
 const DEEPEST: usize = 128;
@@ -375,7 +377,7 @@ impl<'t> Matching<'t> {
         match frame.key {
             Some((start, end)) => {
                 let key = self.text[start..end].trim_matches('"');
-                format!("`{}`", crate::diagnostics::shortened(key))
+                format!("`{}`", shortened(key))
             }
             None if frame.start <= self.start => {
                 format!("the {kind} the file starts with")

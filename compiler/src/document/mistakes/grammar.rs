@@ -1,8 +1,10 @@
 //! The grammar of JSON over tokens, going on after what is wrong.
 
-use super::Mistake;
+use crate::diagnostics::shortened;
+
 use super::brackets::Corrections;
-use super::tokens::{Kind, Lexer, Token};
+use super::lexer::{Kind, Lexer, Token};
+use super::mistake::Mistake;
 use crate::document::MAX_DEPTH;
 
 /// Most mistakes of structure: past them the text is hardly meant as JSON.
@@ -256,7 +258,7 @@ impl<M: Iterator<Item = (usize, usize)>, E: Iterator<Item = usize>> Grammar<'_, 
             Kind::Word | Kind::Value if leads_on => {
                 self.settle_comma();
                 let word = self.text(place).to_owned();
-                let shown = crate::diagnostics::shortened(&word);
+                let shown = shortened(&word);
                 let message = "a key must be a string in double quotes";
                 let mistake = Mistake::new(place, message, format!("write `\"{shown}\"`"));
                 let plain =

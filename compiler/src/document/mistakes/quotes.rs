@@ -1,21 +1,11 @@
 //! Strings in quotes that JSON does not have.
 
-use super::Mistake;
-use super::strings::ends_a_value;
-use super::tokens::{Kind, Lexer, Token, line_end};
+use super::characters::{ends_a_value, is_typographic, line_end};
+use super::lexer::{Kind, Lexer, Token};
+use super::mistake::Mistake;
 
 /// How far the closing quote is looked for.
 const REACH: usize = 4096;
-
-/// Whether a character is a quote of typography, single or double.
-pub(super) fn is_typographic(c: char) -> bool {
-    matches!(c, '“' | '”' | '„' | '‟' | '″' | '«' | '»' | '＂' | '‘' | '’' | '‚' | '‛' | '′')
-}
-
-/// Whether a character opens what is meant as a string.
-pub(super) fn opens(c: char) -> bool {
-    is_typographic(c) || matches!(c, '\'' | '`' | '´')
-}
 
 /// Text between quotes as it stands between double quotes.
 pub(super) fn json(inner: &str) -> String {

@@ -1,8 +1,11 @@
 //! Strings, and where those end that are not closed.
 
-use super::Mistake;
-use super::quotes::{is_typographic, json};
-use super::tokens::{Kind, Lexer, Token};
+use crate::diagnostics::shortened;
+
+use super::characters::{ends_a_value, follows, is_typographic, line_end};
+use super::lexer::{Kind, Lexer, Token};
+use super::mistake::{MOST, Mistake};
+use super::quotes::json;
 
 /// How far the end of a string is looked for beyond where it should be.
 const REACH: usize = 4096;
@@ -23,8 +26,8 @@ impl Lexer<'_> {
                 Some(_) => self.at += 1,
             }
             // A string of mistakes is told like a file of them.
-            if within.len() > super::MOST {
-                within.truncate(super::MOST);
+            if within.len() > MOST {
+                within.truncate(MOST);
             }
         };
         let content = &self.text[start + 1..end - 1];
@@ -137,7 +140,7 @@ impl Lexer<'_> {
     /// A string whose end is where its closing quote is missing.
     fn not_closed(&mut self, start: usize, end: usize) -> Token {
         let message = "this string is probably not closed";
-        let shown = crate::diagnostics::shortened(&self.text[start + 1..end]);
+        let shown = shortened(&self.text[start + 1..end]);
         let help = format!("add the missing `\"` after `{shown}`");
         self.tell(Mistake::new((start, end), message, help));
         self.at = end;
@@ -159,7 +162,7 @@ impl Lexer<'_> {
 
     /// A quote inside of a string that seems to end it.
     fn quote_within(&mut self, start: usize, end: usize) -> Token {
-        let line = &self.text[end..super::tokens::line_end(self.text, end)];
+        let line = &self.text[end..line_end(self.text, end)];
         let line = &line[..line.floor_char_boundary(REACH)];
         let last = line
             .match_indices('"')
@@ -186,17 +189,6 @@ fn raw_control(at: usize, control: u8) -> Mistake {
     let message = format!("a string holds the control character 0x{control:02x}");
     let help = format!("write it as `{escape}`, or remove it");
     Mistake::new(place, message, help).fixed_by(escape)
-}
-
-/// Whether a character may stand right behind a string.
-pub(super) fn follows(c: Option<char>) -> bool {
-    c.is_none_or(|c| c.is_whitespace() || ",:;=}])({[/#，：".contains(c))
-}
-
-/// Whether what stands behind a quote ends a value or a key.
-pub(super) fn ends_a_value(rest: &str) -> bool {
-    let rest = rest.trim_start_matches([' ', '\t']);
-    rest.is_empty() || rest.starts_with([',', ':', '}', ']', ')', ';', '=', '，', '：', '\n', '\r'])
 }
 
 /// Length of a string that was not closed, where JSON follows it in what was taken for its content:

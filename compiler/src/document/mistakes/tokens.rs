@@ -1,83 +1,10 @@
 //! Tokens of JSON and of what is taken for it.
 
-use super::{MOST, Mistake};
+use super::characters::{Class, class_of, is_of_a_word, line_end, opens};
+use super::lexer::{Kind, Lexer, Token};
+use super::mistake::Mistake;
 
-/// What a token is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    /// `{`, `[` or `(`.
-    Open(u8),
-    /// `}`, `]` or `)`.
-    Close(u8),
-    Comma,
-    /// `;` where a comma should be.
-    Semicolon,
-    Colon,
-    /// `=` where a colon should be.
-    Equals,
-    String,
-    /// A number, true, false, null, or what was meant as one.
-    Value,
-    /// Letters that are none of these.
-    Word,
-}
-
-/// A token with its place.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Token {
-    pub kind: Kind,
-    pub start: usize,
-    pub end: usize,
-    /// Characters before it on its line, where it is the first one there.
-    pub indent: Option<usize>,
-    /// Its line, from 1.
-    pub line: usize,
-}
-
-/// Reads tokens, and notes what is wrong within them.
-pub(super) struct Lexer<'t> {
-    pub text: &'t str,
-    pub at: usize,
-    pub mistakes: Vec<Mistake>,
-    /// Whether mistakes are counted only.
-    quiet: bool,
-    pub told: usize,
-    line: usize,
-    line_start: usize,
-    fresh: bool,
-    /// Where the last comment ends: several in a row are one mistake.
-    comment: Option<usize>,
-    peeked: Option<Token>,
-}
-
-impl<'t> Lexer<'t> {
-    pub fn new(text: &'t str, quiet: bool) -> Self {
-        let mistakes = Vec::new();
-        let (line, line_start, fresh) = (1, 0, true);
-        let (comment, peeked) = (None, None);
-        Self { text, at: 0, mistakes, quiet, told: 0, line, line_start, fresh, comment, peeked }
-    }
-
-    /// Whether there are so many mistakes that no more are looked for.
-    pub fn is_full(&self) -> bool {
-        self.told >= MOST
-    }
-
-    pub fn tell(&mut self, mistake: Mistake) {
-        self.told += 1;
-        if !self.quiet {
-            self.mistakes.push(mistake);
-        }
-    }
-
-    pub fn byte(&self, at: usize) -> Option<u8> {
-        self.text.as_bytes().get(at).copied()
-    }
-
-    pub fn character(&self, at: usize) -> Option<char> {
-        self.text.get(at..)?.chars().next()
-    }
-
+impl Lexer<'_> {
     /// The next token, which stays.
     pub fn peek(&mut self) -> Option<Token> {
         if self.peeked.is_none() {
@@ -89,22 +16,6 @@ impl<'t> Lexer<'t> {
     /// The next token.
     pub fn next(&mut self) -> Option<Token> {
         self.peeked.take().or_else(|| self.read())
-    }
-
-    /// A token from a byte to where reading stands.
-    pub fn token(&mut self, kind: Kind, start: usize) -> Token {
-        let indent = self.fresh.then(|| start - self.line_start);
-        self.fresh = false;
-        Token { kind, start, end: self.at, indent, line: self.line }
-    }
-
-    /// Notes the line breaks up to where reading stands.
-    pub fn count_lines(&mut self, from: usize) {
-        let passed = &self.text.as_bytes()[from..self.at];
-        for (at, _) in passed.iter().enumerate().filter(|(_, byte)| **byte == b'\n') {
-            self.line += 1;
-            self.line_start = from + at + 1;
-        }
     }
 
     fn read(&mut self) -> Option<Token> {
@@ -145,7 +56,7 @@ impl<'t> Lexer<'t> {
                     self.comment(start, "*/");
                     continue;
                 }
-                c if super::quotes::opens(c) => return Some(self.quoted(start, c)),
+                c if opens(c) => return Some(self.quoted(start, c)),
                 c if is_of_a_word(c) => return Some(self.word(start)),
                 c => match self.wide(start, c).or_else(|| self.stray(start, c)) {
                     Some(kind) => kind,
@@ -201,7 +112,7 @@ impl<'t> Lexer<'t> {
         let class = class_of(c);
         while let Some(next) = self.character(self.at).filter(|&next| class_of(next) == class) {
             let stands_for_something = next == '"'
-                || super::quotes::opens(next)
+                || opens(next)
                 || is_of_a_word(next)
                 || matches!(
                     next,
@@ -243,36 +154,4 @@ impl<'t> Lexer<'t> {
         self.tell(mistake);
         None
     }
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Class {
-    /// White space that JSON does not know.
-    Space,
-    /// What cannot be seen.
-    Nothing,
-    Other,
-}
-
-fn class_of(c: char) -> Class {
-    match c {
-        '\u{feff}' => Class::Nothing,
-        c if c.is_whitespace() => Class::Space,
-        c if c.is_control()
-            || crate::diagnostics::escaped(c.encode_utf8(&mut [0; 4])).len() > 4 =>
-        {
-            Class::Nothing
-        }
-        _ => Class::Other,
-    }
-}
-
-/// Whether a character is part of a number or a word.
-pub(super) fn is_of_a_word(c: char) -> bool {
-    c.is_alphanumeric() || matches!(c, '_' | '+' | '-' | '.' | '$' | '@' | '%' | '&' | '\\')
-}
-
-/// Where the line that holds a byte ends.
-pub(super) fn line_end(text: &str, at: usize) -> usize {
-    text[at..].find(['\n', '\r']).map_or(text.len(), |found| at + found)
 }

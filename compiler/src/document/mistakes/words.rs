@@ -1,10 +1,11 @@
 //! Numbers and words, as JSON has them and as others do.
 
+use crate::diagnostics::shortened;
 use crate::document::numbers::is_number;
 
-use super::Mistake;
-use super::strings::{ends_a_value, follows};
-use super::tokens::{Kind, Lexer, Token, is_of_a_word};
+use super::characters::{ends_a_value, follows, is_of_a_word};
+use super::lexer::{Kind, Lexer, Token};
+use super::mistake::Mistake;
 
 impl Lexer<'_> {
     /// A run of letters and digits; its first character is read.
@@ -23,7 +24,7 @@ impl Lexer<'_> {
             let mistake = Mistake::new(
                 (start, self.at),
                 "the opening quote of this string is missing",
-                format!("write `\"{}\"`", crate::diagnostics::shortened(run)),
+                format!("write `\"{}\"`", shortened(run)),
             );
             let plain = run.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '-'));
             let fixed = plain.then(|| format!("\"{run}\""));
@@ -47,7 +48,7 @@ impl Lexer<'_> {
     /// What is wrong with a word that stands where a value should.
     pub fn no_value(&self, word: &Token) -> Mistake {
         let run = &self.text[word.start..word.end];
-        let shown = crate::diagnostics::shortened(run);
+        let shown = shortened(run);
         if self.is_call(word) {
             let message = format!("JSON has no functions, such as `{shown}(…)`");
             return Mistake::new((word.start, word.end), message, "write a list: `[x, y, z]`");
