@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use phenomenon_compiler::check::{Files, OnDisk};
-use phenomenon_compiler::diagnostics::{Code, Finding, Place, SourceFile};
-use phenomenon_compiler::document::{Document, listed, read_file, read_from};
+use phenomenon_compiler::diagnostics::{Code, Finding, Place, SourceFile, listed};
+use phenomenon_compiler::document::{Document, read_file, read_from};
 use phenomenon_runtime::outputs::is_descriptor;
 
 use crate::failure::Failure;

@@ -1,7 +1,6 @@
 //! `--allow CODE`.
 
-use phenomenon_compiler::diagnostics::{Code, Explanation, Severity};
-use phenomenon_compiler::document::{listed, nearest};
+use phenomenon_compiler::diagnostics::{Code, Explanation, Severity, listed, nearest};
 
 /// Reads the code of findings that are no errors.
 pub fn allowable(name: &str) -> Result<Code, String> {

@@ -1,6 +1,6 @@
 //! `--node NODE[.OUTPUT]`.
 
-use phenomenon_compiler::document::nearest;
+use phenomenon_compiler::diagnostics::nearest;
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
 

@@ -2,8 +2,7 @@
 
 use std::fmt::Write;
 
-use phenomenon_compiler::diagnostics::{Code, Explanation};
-use phenomenon_compiler::document::nearest;
+use phenomenon_compiler::diagnostics::{Code, Explanation, nearest};
 
 use crate::failure::{Failure, Outcome};
 use crate::terminal;

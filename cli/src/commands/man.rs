@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Command, ValueHint};
 use clap_mangen::Man;
-use phenomenon_compiler::document::{nearest, open_file};
+use phenomenon_compiler::diagnostics::nearest;
+use phenomenon_compiler::document::open_file;
 
 use crate::failure::{Failure, Outcome};
 use crate::outputs::Output;

@@ -1,7 +1,7 @@
 //! What the command line changes about the graphs a scene uses: `--set OBJECT:PARAMETER=VALUE` and
 //! `--node OBJECT:NODE[.OUTPUT]`.
 
-use phenomenon_compiler::document::{listed, nearest};
+use phenomenon_compiler::diagnostics::{listed, nearest};
 use phenomenon_runtime::scene_file::{EnvironmentDescription, MaterialRef, SceneDescription};
 
 use super::Change;

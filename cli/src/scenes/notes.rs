@@ -1,7 +1,6 @@
 //! What of a graph no picture shows, said rather than passed over.
 
-use phenomenon_compiler::diagnostics::Place;
-use phenomenon_compiler::document::listed;
+use phenomenon_compiler::diagnostics::{Place, listed};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_runtime::render::CALLED_ROOTS;
 

@@ -1,14 +1,14 @@
 //! Binding every input and root to its source, with the types checked.
 
 use crate::diagnostics::synonyms;
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Member, Reader, ValueKind, shortened};
+use crate::diagnostics::{Code, Finding, nearest, shortened};
+use crate::document::{Member, Reader, ValueKind};
 use crate::graph::{Binding, Node, Root};
 use crate::nodes::{DefaultValue, Input, Kind, NodeType, Signature};
 use crate::values::{Literal, Type};
 
-use super::MAX_NODES;
 use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
+use super::limits::MAX_NODES;
 use super::literals::Room;
 use super::types::{Types, overload};
 use super::{lists, literals, mismatch, references};
@@ -241,7 +241,7 @@ fn missing_inputs(
         let required = matches!(input.default, DefaultValue::Required) && !given[at];
         let meant = |given: &DraftInput<'_>| {
             given.input.is_none()
-                && (crate::document::nearest(&given.member.key, [input.name]).is_some()
+                && (nearest(&given.member.key, [input.name]).is_some()
                     || synonyms::input(&given.member.key, |name| name == input.name).is_some())
         };
         // What stands beside `type` was told to be a level too high.

@@ -5,13 +5,11 @@ use std::collections::VecDeque;
 use petgraph::algo::kosaraju_scc;
 use petgraph::graph::{DiGraph, NodeIndex};
 
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, shortened};
+use crate::diagnostics::{Code, Finding, shortened};
+use crate::document::Reader;
 
 use super::draft::Draft;
-
-/// Nodes named in a message, and places shown with it. A cycle may be as long as the file.
-pub const MAX_CYCLE_SHOWN: usize = 32;
+use super::limits::MAX_CYCLE_SHOWN;
 
 /// Every node, sources before what reads them. Nodes on a cycle, and what reads them, come last.
 /// Each knot of cycles is one finding. Iterative throughout: chains are as long as files.

@@ -1,7 +1,7 @@
 //! Connections that are never evaluated, because of what is known of the values that decide.
 
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, shortened};
+use crate::diagnostics::{Code, Finding, shortened};
+use crate::document::Reader;
 
 use super::draft::{Draft, DraftInput, SourceKind};
 use super::intervals::Intervals;

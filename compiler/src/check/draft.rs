@@ -4,13 +4,14 @@ use std::cell::Cell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use crate::document::{Member, Suggestion, Value, nearest};
+use crate::diagnostics::{Suggestion, nearest};
+use crate::document::{Member, Value};
 use crate::graph::{Parameter, RootKind};
 use crate::nodes::{NodeLibrary, NodeType};
 use crate::values::Type;
 
 use super::nested::Nested;
-use super::shapes::Shape;
+use super::shape::Shape;
 
 /// The names of a graph, and their types as far as they are known.
 pub(super) struct Draft<'d> {

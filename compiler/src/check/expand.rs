@@ -8,8 +8,8 @@ use crate::graph::{Binding, Graph, Node, Root};
 use crate::nodes::NodeLibrary;
 use crate::values::{Literal, Type};
 
-use super::MAX_NODES;
 use super::draft::Draft;
+use super::limits::MAX_NODES;
 use super::nested::Nested;
 
 /// Where the nodes of the outer graph went.

@@ -3,8 +3,8 @@
 
 use std::ops::RangeInclusive;
 
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, ValueKind, shortened, shown};
+use crate::diagnostics::{Code, Finding, shortened, shown};
+use crate::document::{Reader, ValueKind};
 use crate::nodes::{Avoid, FINITE};
 
 use super::draft::{Draft, DraftInput, SourceKind};

@@ -4,36 +4,19 @@ use std::collections::{HashMap, HashSet};
 use std::ops::RangeInclusive;
 
 use crate::diagnostics::synonyms;
-use crate::diagnostics::{Code, Finding};
-use crate::document::{MAX_FILE_BYTES, Member, Object, Reader, Value, ValueKind, shortened, shown};
+use crate::diagnostics::{Code, Finding, shortened, shown};
+use crate::document::{MAX_FILE_BYTES, Member, Object, Reader, Value, ValueKind};
 use crate::graph::Parameter;
 use crate::nodes::FINITE;
 use crate::values::{Literal, Type};
 
+use super::compounds::unknown_member;
 use super::draft::{Draft, DraftParameter};
+use super::limits::MAX_PARTS;
 use super::literals::Room;
-use super::shapes::{MAX_PARTS, Shape, element_name, member_name, struct_literal, unknown_member};
-use super::{literals, nodes};
-
-/// The keys of a parameter with numbers.
-const NUMERIC_KEYS: [&str; 9] =
-    ["type", "default", "min", "max", "soft_min", "soft_max", "unit", "doc", "editor"];
-/// The keys of an integer.
-const INTEGER_KEYS: [&str; 10] =
-    ["type", "default", "min", "max", "soft_min", "soft_max", "unit", "doc", "editor", "values"];
-/// The keys of an enumeration, whose range is that of its names.
-const ENUMERATION_KEYS: [&str; 6] = ["type", "default", "values", "unit", "doc", "editor"];
-/// The keys of any.
-const ALL_KEYS: [&str; 12] = [
-    "type", "default", "min", "max", "soft_min", "soft_max", "unit", "doc", "editor", "values",
-    "of", "members",
-];
-/// The keys of a parameter without an order.
-const PLAIN_KEYS: [&str; 4] = ["type", "default", "doc", "editor"];
-/// The keys of an array.
-const ARRAY_KEYS: [&str; 5] = ["type", "of", "default", "doc", "editor"];
-/// The keys of a struct.
-const STRUCT_KEYS: [&str; 5] = ["type", "members", "default", "doc", "editor"];
+use super::names::check_key;
+use super::shape::{Shape, element_name, member_name, struct_literal};
+use super::{keys, literals};
 
 /// What a declaration says its type is.
 #[derive(Clone, Copy)]
@@ -75,7 +58,7 @@ pub(super) fn read<'d>(reader: &mut Reader<'d>, value: Option<&'d Value>, draft:
     let Some(value) = value else { return };
     let Some(members) = reader.members(value, "`interface`") else { return };
     for member in members {
-        nodes::check_key(reader, member, "the name of a parameter");
+        check_key(reader, member, "the name of a parameter");
         let what = format!("parameter `{}`", shortened(&member.key));
         let declared = declaration(reader, &member.value, &what, true);
         let before = draft.parameters.len();
@@ -150,13 +133,13 @@ fn declaration<'d>(
     });
     let keys: &[&str] = match said {
         // What it may be is not known, so any of them may be right.
-        None => &ALL_KEYS,
-        Some(Said::One(Type::Integer)) if object.optional("values").is_some() => &ENUMERATION_KEYS,
-        Some(Said::Array) => &ARRAY_KEYS,
-        Some(Said::Struct) => &STRUCT_KEYS,
-        Some(Said::One(Type::Scalar | Type::Color | Type::Vector)) => &NUMERIC_KEYS,
-        Some(Said::One(Type::Integer)) => &INTEGER_KEYS,
-        Some(Said::One(_)) => &PLAIN_KEYS,
+        None => &keys::PARAMETER,
+        Some(Said::One(Type::Integer)) if object.optional("values").is_some() => &keys::ENUMERATION,
+        Some(Said::Array) => &keys::ARRAY,
+        Some(Said::Struct) => &keys::STRUCT,
+        Some(Said::One(Type::Scalar | Type::Color | Type::Vector)) => &keys::NUMERIC,
+        Some(Said::One(Type::Integer)) => &keys::INTEGER,
+        Some(Said::One(_)) => &keys::PLAIN,
     };
     let keys: Vec<&str> = keys.iter().copied().filter(|key| top || *key != "default").collect();
     reader.object(value, what, &keys);
@@ -174,7 +157,7 @@ fn declaration<'d>(
             let mut members = Vec::new();
             let mut complete = true;
             for member in reader.members(given, "`members`")? {
-                nodes::check_key(reader, member, "the name of a member");
+                check_key(reader, member, "the name of a member");
                 let what = format!("member `{}` of {what}", shortened(&member.key));
                 match declaration(reader, &member.value, &what, true) {
                     Some(declared) => members.push((member, declared)),

@@ -1,7 +1,7 @@
 //! Light samples are read only below the body of a light loop.
 
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, Value, shortened};
+use crate::diagnostics::{Code, Finding, shortened};
+use crate::document::{Reader, Value};
 use crate::nodes::{Kind, is_of_light, reads_light};
 
 use super::draft::{Draft, Source, SourceKind};

@@ -1,7 +1,7 @@
 //! Type mismatches, with the node that converts.
 
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, shortened};
+use crate::diagnostics::{Code, Finding, shortened};
+use crate::document::Reader;
 use crate::nodes::{DefaultValue, Kind, NodeLibrary, Signature};
 use crate::values::Type;
 

@@ -12,36 +12,40 @@
 //! ```
 
 mod bind_inputs;
+mod compounds;
 mod cycles;
 mod dead_inputs;
 mod draft;
 mod expand;
+mod files;
 mod graph;
 mod hazards;
 mod interface;
 mod intervals;
+mod keys;
 mod light_loops;
+mod limits;
 mod lists;
 mod literals;
 mod mismatch;
+mod names;
+mod nest;
 mod nested;
 mod nodes;
+mod phenomenon;
 mod ranges;
 mod reach;
 mod references;
 mod requirements;
 mod roots;
 mod settings;
-mod shapes;
+mod shape;
 mod sources;
 mod stations;
 mod textures;
 mod types;
 
-pub use cycles::MAX_CYCLE_SHOWN;
-pub use graph::{Checked, MAX_NODES, check_graph, check_graph_with, read_graph_file};
-pub use nested::{Files, MAX_FILE_DEPTH, OnDisk};
-pub use nodes::MAX_NAME;
-pub use roots::MAX_SHADERS;
+pub use files::{Files, OnDisk};
+pub use graph::{Checked, check_graph, check_graph_with, read_graph_file};
+pub use limits::{MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_PARTS, MAX_SHADERS};
 pub use settings::{Setting, SettingError, bind_setting, bind_settings, bind_text};
-pub use shapes::MAX_PARTS;

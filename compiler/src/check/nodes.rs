@@ -3,48 +3,16 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::diagnostics::synonyms::{self, Synonym};
-use crate::diagnostics::{Code, Finding, listed_or};
-use crate::document::{Member, Reader, Value, ValueKind, advice, listed, shortened};
+use crate::diagnostics::{Code, Finding, advice, listed, listed_or, nearest, shortened};
+use crate::document::{Member, Reader, Value, ValueKind};
 use crate::nodes::{NodeType, Signature};
 
-use super::MAX_NODES;
 use super::draft::{Draft, DraftInput, DraftNode};
-use super::shapes::{self, Shape};
-use super::{nested, sources};
-
-/// The keys of a node.
-const KEYS: [&str; 5] = ["type", "version", "doc", "inputs", "editor"];
-
-/// Longest name of a phenomenon, a parameter or a node, in characters.
-pub const MAX_NAME: usize = 256;
-
-/// Reports a name that could not stand in a path or on the command line.
-pub(super) fn check_name(reader: &mut Reader<'_>, value: &Value, what: &str, name: &str) {
-    if let Some(message) = name_mistake(what, name) {
-        reader.report(Code::BAD_NAME, value, message, NAME_HELP);
-    }
-}
-
-/// The same for a name that is a key.
-pub(super) fn check_key(reader: &mut Reader<'_>, member: &Member, what: &str) {
-    if let Some(message) = name_mistake(what, &member.key) {
-        reader.report_key(Code::BAD_NAME, member, message, NAME_HELP);
-    }
-}
-
-const NAME_HELP: &str = "use letters, digits, `_` and `-`, at most 256 of them";
-
-fn name_mistake(what: &str, name: &str) -> Option<String> {
-    if name.is_empty() {
-        return Some(format!("{what} is empty"));
-    }
-    let allowed = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-');
-    if let Some(bad) = name.chars().find(|&c| !allowed(c)) {
-        return Some(format!("{what} has the character {bad:?}"));
-    }
-    (name.chars().count() > MAX_NAME)
-        .then(|| format!("{what} is longer than {MAX_NAME} characters"))
-}
+use super::keys::NODE;
+use super::limits::MAX_NODES;
+use super::names::check_key;
+use super::shape::Shape;
+use super::{compounds, nest, sources};
 
 /// Reads all nodes, then their inputs, which may name any of them. None where there are too many.
 pub(super) fn read<'d>(
@@ -130,16 +98,16 @@ fn unknown_keys<'d>(
             let key = &member.key;
             signature.input(key).is_some()
                 || synonyms::input(key, |name| signature.input(name).is_some()).is_some()
-                    && synonyms::key(key, |ours| KEYS.contains(&ours)).is_none()
+                    && synonyms::key(key, |ours| NODE.contains(&ours)).is_none()
         }
         // Of a type that is not known nothing but inputs can be meant.
-        None => inputs.is_none() && crate::document::nearest(&member.key, KEYS).is_none(),
+        None => inputs.is_none() && nearest(&member.key, NODE).is_none(),
     };
     let (misplaced, others): (Vec<&Member>, Vec<&Member>) =
         unknown.into_iter().partition(|member| is_input(member));
     let name = shortened(&node.key);
     for member in others {
-        reader.unknown_key(member, &format!("node `{name}`"), &KEYS);
+        reader.unknown_key(member, &format!("node `{name}`"), &NODE);
     }
     let Some(first) = misplaced.first() else { return };
     // What they connect is not looked at where they stand.
@@ -181,7 +149,7 @@ fn check_version(
 }
 
 fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> Option<NodeType> {
-    if let Some(file) = nested::file_of(value) {
+    if let Some(file) = nest::file_of(value) {
         return draft.phenomena.get(file).copied().flatten();
     }
     if matches!(value.kind, ValueKind::Object(_)) {
@@ -300,14 +268,14 @@ fn read_inputs<'d>(
         if let (Some(at), Some(signature)) = (input, signature)
             && signature.inputs[at].list
         {
-            let values = shapes::list(reader, draft, &member.value, &what());
+            let values = compounds::list(reader, draft, &member.value, &what());
             inputs.extend(values.into_iter().map(|source| DraftInput { member, input, source }));
             continue;
         }
         if let (None, Some(shape)) = (input, shape_of(draft, node, member)) {
             let mut parts = Vec::new();
             let given = (&member.value, member.key.as_str());
-            shapes::spread(reader, draft, shape, given, &what(), &mut parts);
+            compounds::spread(reader, draft, shape, given, &what(), &mut parts);
             has_parts = true;
             let nested = signature_positions(draft, node);
             for (part, source) in parts {

@@ -3,8 +3,8 @@
 
 use std::ops::RangeInclusive;
 
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, Value, ValueKind, numbers, shortened, shown};
+use crate::diagnostics::{Code, Finding, shortened, shown};
+use crate::document::{Reader, Value, ValueKind, numbers};
 use crate::nodes::{FINITE, Input};
 use crate::values::Literal;
 

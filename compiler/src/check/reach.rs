@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, ValueKind, shortened};
+use crate::diagnostics::{Code, Finding, shortened};
+use crate::document::{Reader, ValueKind};
 use crate::values::Type;
 
 use super::draft::{Draft, DraftInput, DraftNode, DraftRoot, Source, SourceKind};

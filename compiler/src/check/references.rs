@@ -2,8 +2,8 @@
 //! followed, but it can be said how they are written here.
 
 use crate::diagnostics::synonyms;
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, Value, ValueKind, shortened};
+use crate::diagnostics::{Code, Finding, shortened};
+use crate::document::{Reader, Value, ValueKind};
 use crate::values::Type;
 
 use super::draft::Draft;

@@ -3,8 +3,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::diagnostics::{Code, Finding, Place};
-use crate::document::{Member, Reader, Value, shortened};
+use crate::diagnostics::{Code, Finding, Place, shortened};
+use crate::document::{Member, Reader, Value};
 use crate::effects::Effect;
 use crate::nodes::Kind;
 

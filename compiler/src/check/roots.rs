@@ -1,16 +1,14 @@
 //! Reading `roots`: what a phenomenon is called for.
 
 use crate::diagnostics::synonyms;
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, Value, ValueKind, advice, listed};
+use crate::diagnostics::{Code, Finding, advice, listed, nearest, shortened};
+use crate::document::{Member, Reader, Value, ValueKind};
 use crate::graph::RootKind;
 
 use super::draft::{Draft, DraftRoot, Source, SourceKind};
-use super::graph::KEYS;
+use super::keys::PHENOMENON;
+use super::limits::MAX_SHADERS;
 use super::sources;
-
-/// Most shaders in the list of a root.
-pub const MAX_SHADERS: usize = 64;
 
 /// Reads all roots; none at all is a finding. `graph` is the whole document.
 pub(super) fn read<'d>(
@@ -22,9 +20,9 @@ pub(super) fn read<'d>(
     let Some(value) = value else {
         // A misspelt `roots` was reported as the unknown key it is.
         let misspelt = graph.members().iter().any(|member| {
-            crate::document::nearest(&member.key, ["roots"]).is_some()
+            nearest(&member.key, ["roots"]).is_some()
                 || synonyms::key(&member.key, |ours| ours == "roots").is_some()
-                    && !KEYS.contains(&member.key.as_str())
+                    && !PHENOMENON.contains(&member.key.as_str())
         });
         if !misspelt {
             no_root(reader, graph.start);
@@ -55,13 +53,13 @@ fn no_root(reader: &mut Reader<'_>, at: usize) {
     reader.findings.push(Finding::new(Code::MISSING_ROOT, place, message, help));
 }
 
-fn unknown_root(reader: &mut Reader<'_>, member: &crate::document::Member) {
+fn unknown_root(reader: &mut Reader<'_>, member: &Member) {
     let names = RootKind::ALL.map(RootKind::name);
-    let near = crate::document::nearest(&member.key, names);
+    let near = nearest(&member.key, names);
     let (help, fix) = advice(synonyms::root(&member.key), near, || {
         format!("the shader types are {}", listed(names))
     });
-    let message = format!("there is no shader type `{}`", crate::document::shortened(&member.key));
+    let message = format!("there is no shader type `{}`", shortened(&member.key));
     let place = reader.document.place_of_key(member);
     let finding = Finding::new(Code::UNKNOWN_ROOT, place, message, help);
     reader.findings.push(Finding { fix, ..finding });

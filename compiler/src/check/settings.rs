@@ -3,15 +3,16 @@
 
 use std::collections::HashSet;
 
-use crate::diagnostics::{Code, Finding, Place};
-use crate::document::{Document, Member, Reader, Value, ValueKind, nearest, read, shortened};
+use crate::diagnostics::{Code, Finding, Place, nearest, shortened};
+use crate::document::{Document, Member, Reader, Value, ValueKind, read};
 use crate::graph::parts::{Part, Parts};
 use crate::graph::{BindError, Graph};
 use crate::values::{Literal, Type};
 
+use super::compounds::unknown_member;
+use super::files::{Files, OnDisk};
 use super::literals::{self, Room};
-use super::nested::{Files, OnDisk};
-use super::shapes::{element_name, member_name, struct_literal, unknown_member};
+use super::shape::{element_name, member_name, struct_literal};
 use super::textures;
 
 /// A value for a parameter, with its place in the file that gives it.

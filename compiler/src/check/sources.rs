@@ -1,11 +1,12 @@
 //! Reading what an input or a root is given: a literal, an interface parameter, a connection.
 
 use crate::diagnostics::synonyms;
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, Value, ValueKind, advice, listed, shortened};
+use crate::diagnostics::{Code, Finding, advice, listed, nearest, shortened};
+use crate::document::{Reader, Value, ValueKind};
 
 use super::draft::{Draft, Source, SourceKind};
 use super::references;
+use super::shape::struct_literal;
 
 const HELP: &str = "write `{ \"node\": \"name\" }`, `{ \"node\": \"name\", \"output\": \"name\" }` or `{ \"interface\": \"name\" }`";
 
@@ -32,14 +33,13 @@ pub(super) fn read<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<
 
 /// An object without `node` and `interface`: a misspelt one is one mistake.
 fn no_connection(reader: &mut Reader<'_>, value: &Value) {
-    if super::shapes::struct_literal(value).is_some() {
+    if struct_literal(value).is_some() {
         let message = "no struct is taken here";
         reader.report(Code::TYPE_MISMATCH, value, message, "give one value or a connection");
         return;
     }
     let keys = ["node", "output", "interface", "texture", "light", "struct"];
-    let misspelt =
-        value.members().iter().find(|member| crate::document::nearest(&member.key, keys).is_some());
+    let misspelt = value.members().iter().find(|member| nearest(&member.key, keys).is_some());
     match misspelt.or(value.members().first()) {
         Some(member) => reader.unknown_key(member, "a connection", &keys[..3]),
         None => reader.report(Code::WRONG_KIND, value, "an empty object connects nothing", HELP),

@@ -1,8 +1,8 @@
 //! Effects at stations that do not allow them: each shader type is called at a moment of its own,
 //! and not everything can be asked of the renderer then.
 
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, shortened};
+use crate::diagnostics::{Code, Finding, shortened};
+use crate::document::Reader;
 use crate::effects::Effect;
 use crate::graph::RootKind;
 use crate::nodes::{Kind, NodeType};

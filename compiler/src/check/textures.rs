@@ -1,10 +1,10 @@
 //! Pictures a graph names: each must be there.
 
-use crate::diagnostics::Code;
-use crate::document::{Reader, ValueKind, shortened};
+use crate::diagnostics::{Code, shortened};
+use crate::document::{Reader, ValueKind};
 
+use super::files::Files;
 use super::literals::beside;
-use super::nested::Files;
 
 /// Reports every picture that was named so far and cannot be opened.
 pub(super) fn check(reader: &mut Reader<'_>, files: &dyn Files) {

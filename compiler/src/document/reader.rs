@@ -5,10 +5,10 @@ use std::collections::HashMap;
 use std::ops::RangeInclusive;
 
 use crate::diagnostics::synonyms::{self, Synonym};
-use crate::diagnostics::{Code, Finding, Findings, listed, shortened};
+use crate::diagnostics::{Code, Finding, Findings, advice, listed, nearest, shortened, shown};
 
 use super::numbers::{self, Whole};
-use super::{Document, Member, Value, ValueKind, advice, nearest};
+use super::{Document, Member, Value, ValueKind};
 
 /// Reads values of a document and collects findings.
 #[derive(Debug)]
@@ -360,17 +360,5 @@ impl<'d> Reader<'d> {
         )
         .with_related(self.document.place_of_key(first), "first given here");
         self.findings.push(finding);
-    }
-}
-
-/// A range as text.
-pub(crate) fn shown(range: &RangeInclusive<f64>) -> String {
-    let (low, high) = (*range.start(), *range.end());
-    match (low <= -f64::from(f32::MAX), high >= f64::from(f32::MAX)) {
-        (true, true) => "the finite numbers".into(),
-        (false, true) if low == f64::from(f32::MIN_POSITIVE) => "the numbers above 0".into(),
-        (false, true) => format!("{low} and above"),
-        (true, false) => format!("{high} and below"),
-        (false, false) => format!("{low} to {high}"),
     }
 }

@@ -4,8 +4,8 @@ use thiserror::Error;
 
 use super::parts::Parts;
 use super::{Graph, Parameter};
+use crate::diagnostics::{listed, shortened, shown};
 use crate::document::numbers::{self, Whole};
-use crate::document::{listed, shortened, shown};
 use crate::values::{Literal, Space, Texture, Type};
 
 /// Why a value cannot be bound to a parameter.

@@ -3,8 +3,9 @@
 
 use std::collections::HashMap;
 
+use crate::diagnostics::{listed, nearest, shortened};
+
 use super::Parameter;
-use crate::document::{listed, nearest, shortened};
 
 /// What the parameters of a graph are by name, their parts included.
 #[derive(Debug)]

@@ -4,8 +4,8 @@
 use std::collections::HashSet;
 
 use phenomenon_compiler::check::{Files, Setting, bind_settings};
-use phenomenon_compiler::diagnostics::{Code, Finding, Place, listed};
-use phenomenon_compiler::document::{Document, Value, ValueKind, nearest};
+use phenomenon_compiler::diagnostics::{Code, Finding, Place, listed, nearest};
+use phenomenon_compiler::document::{Document, Value, ValueKind};
 use phenomenon_compiler::graph::{Binding, Graph};
 use phenomenon_compiler::values::Literal;
 

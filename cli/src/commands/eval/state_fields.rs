@@ -1,6 +1,6 @@
 //! `--state FIELD=VALUE`.
 
-use phenomenon_compiler::document::nearest;
+use phenomenon_compiler::diagnostics::nearest;
 use phenomenon_compiler::document::numbers::{self, Whole};
 use phenomenon_compiler::state::{Field, RayType, State};
 use phenomenon_compiler::values::{Literal, Type};

@@ -5,7 +5,7 @@ mod json;
 mod search;
 
 use clap::Args;
-use phenomenon_compiler::document::nearest;
+use phenomenon_compiler::diagnostics::nearest;
 use phenomenon_compiler::nodes::{GROUPS, NodeLibrary, Signature};
 
 use crate::arguments::Format;

@@ -1,7 +1,7 @@
 //! Nodes by a word, which may be one of other programs.
 
+use phenomenon_compiler::diagnostics::nearest;
 use phenomenon_compiler::diagnostics::synonyms::{self, Synonym};
-use phenomenon_compiler::document::nearest;
 use phenomenon_compiler::nodes::{NodeLibrary, Signature};
 
 use crate::failure::Failure;

@@ -1,6 +1,6 @@
 //! What is known of one word of a value.
 
-use crate::document::shown;
+use crate::diagnostics::shown;
 use crate::emit::Emit;
 use crate::emit::interval::{Interval, Intervals, Truth, Whole, Word, derived};
 use crate::values::Type;

@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use crate::diagnostics::listed_or;
+
 /// What others call one of our things.
 #[derive(Clone, Debug)]
 pub struct Called {
@@ -45,7 +47,7 @@ pub struct Synonym {
 impl Synonym {
     /// The help line.
     pub fn help(&self) -> String {
-        let names = crate::diagnostics::listed_or(self.ours.iter().copied());
+        let names = listed_or(self.ours.iter().copied());
         match (self.ours.is_empty(), self.advice.is_empty()) {
             (true, _) => self.advice.to_owned(),
             (false, true) => format!("did you mean {names}?"),

@@ -1,4 +1,6 @@
-//! Lists of names within messages.
+//! How names, lists of them and ranges stand in messages.
+
+use std::ops::RangeInclusive;
 
 use super::escaped;
 
@@ -32,6 +34,18 @@ pub fn shortened(name: &str) -> String {
     match name.char_indices().nth(64) {
         Some((at, _)) => format!("{}…", escaped(&name[..at])),
         None => escaped(name).into_owned(),
+    }
+}
+
+/// A range as text.
+pub(crate) fn shown(range: &RangeInclusive<f64>) -> String {
+    let (low, high) = (*range.start(), *range.end());
+    match (low <= -f64::from(f32::MAX), high >= f64::from(f32::MAX)) {
+        (true, true) => "the finite numbers".into(),
+        (false, true) if low == f64::from(f32::MIN_POSITIVE) => "the numbers above 0".into(),
+        (false, true) => format!("{low} and above"),
+        (true, false) => format!("{high} and below"),
+        (false, false) => format!("{low} to {high}"),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The nearest name to a misspelt one.
 
-use crate::diagnostics::listed_or;
-use crate::diagnostics::synonyms::{self, Synonym};
+use super::listed_or;
+use super::synonyms::{self, Synonym};
 
 /// Longer names are not compared: the distance costs the product of the lengths.
 const MAX_LENGTH: usize = 64;
