@@ -8,7 +8,7 @@ use clap::Args;
 use phenomenon_compiler::check::{Checked, bind_text, check_graph};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::all_mistakes;
-use phenomenon_compiler::engine::{Engine, Options, Shader};
+use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::values::Literal;
@@ -138,6 +138,8 @@ pub fn compile(
     options: Options,
 ) -> Result<Shader, Failure> {
     let name = graph.name.clone();
-    Shader::new(Arc::new(graph), Arc::clone(library), values, options)
-        .map_err(|error| Failure::new(format!("`{name}`: {error}"), ""))
+    Shader::new(Arc::new(graph), Arc::clone(library), values, options).map_err(|error| {
+        let help = if matches!(error, ShaderError::Jit(_)) { "use `--engine batch`" } else { "" };
+        Failure::new(format!("`{name}`: {error}"), help)
+    })
 }

@@ -338,7 +338,7 @@ pub fn run<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
     let mut origins = [const { MaybeUninit::<Origin>::uninit() }; MOST_INPUTS];
     for (origin, &source) in origins.iter_mut().zip(placement.sources) {
         let (first, step) = match source {
-            Source::Uniform(at) => (at as usize, 0),
+            Source::Uniform(at) | Source::Constant { at, .. } => (at as usize, 0),
             Source::Slot(slot) => (placement.shape.slot(slot, 0), placement.shape.slots),
         };
         assert!(first + last * step < lanes.len(), "a source lies outside the file");

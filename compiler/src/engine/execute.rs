@@ -144,7 +144,7 @@ impl Run<'_> {
     #[inline]
     fn at(&self, source: Source, block: usize) -> usize {
         match source {
-            Source::Uniform(at) => at as usize,
+            Source::Uniform(at) | Source::Constant { at, .. } => at as usize,
             Source::Slot(slot) => self.shape.slot(slot, block),
         }
     }

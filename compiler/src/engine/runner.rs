@@ -1,7 +1,7 @@
 //! How segments are run: kernel by kernel, or as the jit planned.
 
 use crate::schedule::{Schedule, Step};
-use crate::storage::{FileShape, Lanes, Placement};
+use crate::storage::{FileShape, Lanes, Placement, stride};
 
 use super::jit::Plan;
 use super::options::Simd;
@@ -19,7 +19,7 @@ impl Runner<'_> {
     /// Slots of a block of a file for `schedule`: the schedule's, and what the runner needs besides.
     pub fn slots(&self, schedule: &Schedule) -> usize {
         match self {
-            Runner::Kernels(_) => schedule.slots as usize,
+            Runner::Kernels(_) => stride(schedule.slots),
             Runner::Jit(plan) => plan.slots(),
         }
     }

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
 use crate::effects::{Effect, Renderer};
-use crate::graph::{Graph, Root, RootKind};
+use crate::graph::{BindError, Graph, Root, RootKind};
 use crate::nodes::NodeLibrary;
 use crate::schedule::{Schedule, schedule};
 use crate::specialise::{InstanceKind, SpecialiseError, Specialised, Uniforms, expand};
@@ -14,7 +14,7 @@ use crate::state::{RayType, State};
 use crate::values::{Literal, Texture};
 
 use super::execute::Program;
-use super::jit::{JitCode, JitError, Plan};
+use super::jit::{JitCode, JitError, Plan, worker};
 use super::memory::with_memory;
 use super::options::{Engine, Options, Simd};
 use super::runner::Runner;
@@ -28,26 +28,11 @@ pub enum ShaderError {
     #[error(transparent)]
     Specialise(#[from] SpecialiseError),
     /// The jit was asked for and cannot run here, or failed.
-    #[error("the jit cannot run this graph: {0}; use `--engine batch`")]
+    #[error("the jit cannot run this graph: {0}; the batch engine can")]
     Jit(#[from] JitError),
-    /// No such parameter.
-    #[error("`{graph}` has no parameter `{name}`")]
-    UnknownParameter {
-        /// The phenomenon.
-        graph: String,
-        /// What was given.
-        name: String,
-    },
-    /// The value does not suit the parameter.
-    #[error("parameter `{name}` is a {expected}, not a {given}")]
-    WrongType {
-        /// The parameter.
-        name: String,
-        /// Its type.
-        expected: &'static str,
-        /// The type of the value given.
-        given: &'static str,
-    },
+    /// The value does not suit the parameter, or there is none of that name.
+    #[error(transparent)]
+    Bind(#[from] BindError),
 }
 
 /// A graph compiled for an engine, with values for its parameters.
@@ -173,19 +158,10 @@ impl Shader {
     }
 
     fn take(&mut self, name: &str, value: &Literal) -> Result<(), ShaderError> {
-        let Some(at) = self.graph.parameter(name) else {
-            let graph = self.graph.name.clone();
-            return Err(ShaderError::UnknownParameter { graph, name: name.to_owned() });
-        };
-        let expected = self.graph.parameters[at].value_type;
-        let Some(converted) = value.converted_to(expected) else {
-            return Err(ShaderError::WrongType {
-                name: name.to_owned(),
-                expected: expected.name(),
-                given: value.value_type().name(),
-            });
-        };
-        self.values[at] = converted;
+        let value = self.graph.bind_literal(name, value)?;
+        if let Some(at) = self.graph.parameter(name) {
+            self.values[at] = value;
+        }
         Ok(())
     }
 
@@ -212,19 +188,18 @@ impl Shader {
         Ok(())
     }
 
-    /// Compiles machine code while kernels run already. A plan that fails, or a system that grants no
-    /// thread, leaves the kernels running: same bits.
+    /// Compiles machine code while kernels run already, unless the program is gone when its turn
+    /// comes. A plan that fails leaves the kernels running: same bits.
     fn plan_in_background(&self) {
-        let codes: Vec<Arc<RootCode>> =
-            self.programs.iter().map(|program| Arc::clone(&program.code)).collect();
-        let simd = self.options.simd;
-        let plan = move || {
-            for code in codes {
-                code.plan.get_or_init(|| code.plan(simd).ok().flatten());
-            }
-        };
-        // An error here is the system's refusal, which costs speed alone.
-        let _ = std::thread::Builder::new().name("jit".to_owned()).spawn(plan);
+        let Options { simd, batch, .. } = self.options;
+        for program in &self.programs {
+            let code = Arc::downgrade(&program.code);
+            worker::enqueue(move || {
+                if let Some(code) = code.upgrade() {
+                    code.plan.get_or_init(|| code.plan(simd, batch).ok().flatten());
+                }
+            });
+        }
     }
 
     fn compile_root(&self, root: &Root, ray_type: RayType) -> Result<Compiled, ShaderError> {
@@ -235,7 +210,7 @@ impl Shader {
         let code = Arc::new(RootCode { specialised, schedule, plan: OnceLock::new() });
         match engine {
             Engine::Jit => {
-                if let Some(plan) = code.plan(self.options.simd)? {
+                if let Some(plan) = code.plan(self.options.simd, self.options.batch)? {
                     // Nobody else holds this code yet, so the lock is empty.
                     let _ = code.plan.set(Some(plan));
                 }
@@ -253,9 +228,10 @@ impl Shader {
 }
 
 impl RootCode {
-    fn plan(&self, simd: Simd) -> Result<Option<Plan>, JitError> {
+    fn plan(&self, simd: Simd, batch: usize) -> Result<Option<Plan>, JitError> {
         let uniforms = self.specialised.uniforms.values().len();
-        self.schedule.as_ref().map(|schedule| Plan::new(schedule, uniforms, simd)).transpose()
+        let plan = |schedule| Plan::new(schedule, uniforms, simd, batch);
+        self.schedule.as_ref().map(plan).transpose()
     }
 }
 

@@ -192,6 +192,7 @@ impl Walk<'_> {
     #[inline]
     fn word(&self, source: Source) -> u32 {
         match source {
+            Source::Constant { bits, .. } => bits,
             Source::Uniform(at) => self.memory.words[at as usize],
             Source::Slot(slot) => self.memory.words[self.uniforms + slot as usize],
         }

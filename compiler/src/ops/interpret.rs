@@ -60,7 +60,7 @@ pub fn run(segment: &OpSegment, uniforms: usize, slots: usize, lanes: &mut [Lane
         for lane in 0..LANES {
             for (id, &op) in segment.ops.iter().enumerate() {
                 let load = |n: u32| match segment.sources[n as usize] {
-                    Source::Uniform(uniform) => lanes[uniform as usize].0[lane],
+                    Source::Uniform(at) | Source::Constant { at, .. } => lanes[at as usize].0[lane],
                     Source::Slot(slot) => lanes[first + slot as usize].0[lane],
                 };
                 values[id] = evaluate(op, load, |id| values[id as usize]);

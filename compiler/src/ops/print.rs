@@ -11,7 +11,9 @@ impl Display for OpSegment {
             write!(f, "%{id} = ")?;
             match op {
                 Op::Load(n) => match self.sources.get(n as usize) {
-                    Some(Source::Uniform(uniform)) => writeln!(f, "load uniform {uniform}")?,
+                    Some(Source::Uniform(at) | Source::Constant { at, .. }) => {
+                        writeln!(f, "load uniform {at}")?;
+                    }
                     Some(Source::Slot(slot)) => writeln!(f, "load slot {slot}")?,
                     None => writeln!(f, "load missing source {n}")?,
                 },

@@ -120,7 +120,7 @@ impl<'a> Splitter<'a> {
         }
         let read = segment.sources.iter().filter_map(|source| match source {
             Source::Slot(slot) => Some(*slot),
-            Source::Uniform(_) => None,
+            Source::Uniform(_) | Source::Constant { .. } => None,
         });
         let splitter = Self {
             segment,

@@ -13,6 +13,7 @@ impl fmt::Display for Words<'_> {
         for (at, word) in self.0.iter().enumerate() {
             let gap = if at == 0 { "" } else { " " };
             match word {
+                Source::Constant { bits, .. } => write!(f, "{gap}#{bits:08x}")?,
                 Source::Uniform(at) => write!(f, "{gap}u{at}")?,
                 Source::Slot(slot) => write!(f, "{gap}s{slot}")?,
             }

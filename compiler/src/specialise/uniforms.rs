@@ -1,7 +1,7 @@
 //! Words that are the same for every point: literals, parameters, and what is computed from them
 //! alone. Computed when parameters are bound, not when points are shaded.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use crate::kernels::BodyForms;
 use crate::storage::Source;
@@ -11,8 +11,10 @@ use crate::values::Literal;
 #[derive(Clone, Debug, Default)]
 pub struct Uniforms {
     values: Vec<u32>,
+    /// Where the word with these bits stands.
     constants: HashMap<u32, u32>,
-    parameters: Vec<(usize, u32)>,
+    /// Where the first word of a parameter stands.
+    parameters: BTreeMap<usize, u32>,
     computed: Vec<Computed>,
     decisions: Vec<Decision>,
 }
@@ -46,22 +48,23 @@ impl Uniforms {
             values.push(bits);
             values.len() as u32 - 1
         });
-        Source::Uniform(at)
+        Source::Constant { at, bits }
+    }
+
+    /// Whether the word at this position is a constant.
+    fn is_constant(&self, at: u32) -> bool {
+        self.constants.get(&self.values[at as usize]) == Some(&at)
     }
 
     /// The words of an interface parameter, whose value they take anew at each binding.
     pub fn parameter(&mut self, parameter: usize, value: &Literal) -> Vec<Source> {
         let words = value.words();
-        let known = self.parameters.iter().find(|(of, _)| *of == parameter);
-        let first = match known {
-            Some(&(_, first)) => first,
-            None => {
-                let first = self.values.len() as u32;
-                self.values.extend(&words);
-                self.parameters.push((parameter, first));
-                first
-            }
-        };
+        let values = &mut self.values;
+        let first = *self.parameters.entry(parameter).or_insert_with(|| {
+            let first = values.len() as u32;
+            values.extend(&words);
+            first
+        });
         (0..words.len() as u32).map(|word| Source::Uniform(first + word)).collect()
     }
 
@@ -70,14 +73,19 @@ impl Uniforms {
         sources
             .iter()
             .map(|source| match source {
-                Source::Uniform(at) => Some(*at),
+                Source::Uniform(at) | Source::Constant { at, .. } => Some(*at),
                 Source::Slot(_) => None,
             })
             .collect()
     }
 
-    /// The outputs of `code` over uniform words.
+    /// The outputs of `code` over uniform words; constants where all of these are.
     pub fn compute(&mut self, code: BodyForms, inputs: Vec<u32>) -> Vec<Source> {
+        if inputs.iter().all(|&at| self.is_constant(at)) {
+            let mut outputs = vec![0; code.outputs];
+            (code.scalar)(&gather(&self.values, &inputs), &mut outputs);
+            return outputs.into_iter().map(|bits| self.constant(bits)).collect();
+        }
         let output = self.values.len() as u32;
         self.values.resize(self.values.len() + code.outputs, 0);
         let computed = Computed { code, inputs, output };
@@ -91,7 +99,9 @@ impl Uniforms {
         let mut decision = Decision { code, inputs, outcome: false };
         decision.outcome = decision.run(&self.values);
         let outcome = decision.outcome;
-        self.decisions.push(decision);
+        if !decision.inputs.iter().all(|&at| self.is_constant(at)) {
+            self.decisions.push(decision);
+        }
         outcome
     }
 
@@ -100,7 +110,7 @@ impl Uniforms {
     #[must_use]
     pub fn rebind(&mut self, parameters: &[Literal]) -> bool {
         let mut values = self.values.clone();
-        for &(parameter, first) in &self.parameters {
+        for (&parameter, &first) in &self.parameters {
             let words = parameters[parameter].words();
             values[first as usize..first as usize + words.len()].copy_from_slice(&words);
         }

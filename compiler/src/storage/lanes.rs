@@ -15,6 +15,13 @@ pub struct Lanes(pub [u32; LANES]);
 /// Where a word comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Source {
+    /// A word that never changes, with the position among the uniform words where it stands too.
+    Constant {
+        /// Its position.
+        at: u32,
+        /// The word.
+        bits: u32,
+    },
     /// A uniform word of the program, by position.
     Uniform(u32),
     /// A slot of every block.
@@ -28,6 +35,12 @@ pub struct FileShape {
     pub uniforms: usize,
     /// Slots of a block.
     pub slots: usize,
+}
+
+/// Slots of a block that is to hold `slots`: an odd number, so that a slot of one block and of the next
+/// do not fall into the same set of the cache, as they do at multiples of 128.
+pub fn stride(slots: u32) -> usize {
+    slots as usize | 1
 }
 
 impl FileShape {
@@ -62,7 +75,7 @@ impl Placement<'_> {
     #[inline(always)]
     pub fn input(&self, word: usize, block: usize) -> usize {
         match self.sources[word] {
-            Source::Uniform(at) => at as usize,
+            Source::Uniform(at) | Source::Constant { at, .. } => at as usize,
             Source::Slot(slot) => self.shape.slot(slot, block),
         }
     }

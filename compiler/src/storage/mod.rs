@@ -2,4 +2,4 @@
 
 mod lanes;
 
-pub use lanes::{FileShape, LANES, Lanes, Placement, Source};
+pub use lanes::{FileShape, LANES, Lanes, Placement, Source, stride};

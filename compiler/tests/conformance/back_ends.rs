@@ -128,7 +128,7 @@ fn placed(
         for (word, &bits) in inputs.row(row).iter().enumerate() {
             let at = placement.input(word, row / LANES);
             match sources[word] {
-                Source::Uniform(_) => file[at] = Lanes([bits; LANES]),
+                Source::Uniform(_) | Source::Constant { .. } => file[at] = Lanes([bits; LANES]),
                 Source::Slot(_) => file[at].0[row % LANES] = bits,
             }
         }

@@ -24,7 +24,7 @@ fn folded(ops: &[Op]) -> String {
     let name = |id: u32| match segment.ops[id as usize] {
         Op::Load(n) => match segment.sources[n as usize] {
             Source::Slot(slot) => ["x", "y", "m"][slot as usize].to_owned(),
-            Source::Uniform(_) => unreachable!("there is none"),
+            Source::Uniform(_) | Source::Constant { .. } => unreachable!("there is none"),
         },
         _ => format!("%{id}"),
     };

@@ -246,7 +246,7 @@ fn well_formed(segment: &OpSegment, shape: FileShape) -> Result<(), &'static str
     let ops = &segment.ops;
     for source in &segment.sources {
         let inside = match *source {
-            Source::Uniform(uniform) => (uniform as usize) < shape.uniforms,
+            Source::Uniform(at) | Source::Constant { at, .. } => (at as usize) < shape.uniforms,
             Source::Slot(slot) => (slot as usize) < shape.slots,
         };
         if !inside {

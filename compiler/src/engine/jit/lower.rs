@@ -264,7 +264,7 @@ impl Lowering<'_, '_> {
     fn load(&mut self, source: u32) -> Word {
         let source = self.segment.sources[source as usize];
         let (base, word) = match source {
-            Source::Uniform(uniform) => (self.file, uniform),
+            Source::Uniform(at) | Source::Constant { at, .. } => (self.file, at),
             Source::Slot(slot) => (self.at, slot),
         };
         let mut flags = MemFlagsData::new().with_notrap().with_aligned();

@@ -4,6 +4,7 @@ mod code;
 mod error;
 mod lower;
 mod plan;
+pub(super) mod worker;
 
 pub use code::JitCode;
 pub use error::JitError;

@@ -6,13 +6,19 @@ use crate::engine::options::Simd;
 
 use crate::ops::{Op, OpId, OpSegment, Tape, dead, fold, split};
 use crate::schedule::{Item, Schedule, Segment, Step};
-use crate::storage::{FileShape, Lanes, Source};
+use crate::storage::{FileShape, Lanes, Source, stride};
 
 use super::{JitCode, JitError};
 
-/// Bodies of more operations than this run as kernels: eight lanes beat four there, and Cranelift
-/// holds fewer values in registers than the body has.
-const HEAVY_OPS: usize = 96;
+/// Bodies of more operations run as kernels: eight lanes beat four there. A kernel has a price for
+/// each call, which few points share in a small batch.
+const HEAVY_OPS: usize = 20;
+
+/// The same where batches are smaller than [`SMALL_BATCH`].
+const HEAVY_OPS_OF_FEW: usize = 96;
+
+/// Batches of fewer points, two blocks, are small.
+const SMALL_BATCH: usize = 16;
 
 /// The jit's plan for a schedule, with its code.
 #[derive(Debug)]
@@ -40,9 +46,17 @@ enum Stretch {
 }
 
 impl Plan {
-    /// Plans and compiles `schedule` for a program of that many uniform words.
-    pub fn new(schedule: &Schedule, uniforms: usize, simd: Simd) -> Result<Self, JitError> {
-        let stretches: Vec<Vec<Stretch>> = schedule.segments.iter().map(stretches).collect();
+    /// Plans and compiles `schedule` for a program of that many uniform words, to run over at most
+    /// `batch` points at once.
+    pub fn new(
+        schedule: &Schedule,
+        uniforms: usize,
+        simd: Simd,
+        batch: usize,
+    ) -> Result<Self, JitError> {
+        let heavy = if batch < SMALL_BATCH { HEAVY_OPS_OF_FEW } else { HEAVY_OPS };
+        let segments = schedule.segments.iter();
+        let stretches: Vec<_> = segments.map(|segment| stretches(segment, heavy)).collect();
         let readers = Readers::new(schedule, &stretches);
         // Scratch lives within one stretch, so all stretches share it.
         let mut scratch = 0;
@@ -69,7 +83,7 @@ impl Plan {
             }
             segments.push(pieces);
         }
-        let slots = (schedule.slots + scratch) as usize;
+        let slots = stride(schedule.slots + scratch);
         let code = JitCode::compile(&functions, FileShape { uniforms, slots })?;
         Ok(Self { segments, code, simd, slots })
     }
@@ -101,15 +115,15 @@ impl Plan {
     }
 }
 
-/// Cuts a segment at its heavy steps.
-fn stretches(segment: &Segment) -> Vec<Stretch> {
+/// Cuts a segment at its heavy steps, of more operations than `heavy`.
+fn stretches(segment: &Segment, heavy: usize) -> Vec<Stretch> {
     let mut stretches = Vec::new();
     let mut from = 0;
     let mut weights = HashMap::new();
     for (at, step) in segment.steps.iter().enumerate() {
         let weight =
             *weights.entry(step.code.record as usize).or_insert_with(|| record_alone(step));
-        if weight > HEAVY_OPS {
+        if weight > heavy {
             if from < at {
                 stretches.push(Stretch::Light { from, to: at });
             }
@@ -146,6 +160,9 @@ fn record(steps: &[Step], number: usize, readers: &Readers) -> OpSegment {
             .iter()
             .map(|source| {
                 *known.entry(*source).or_insert_with(|| {
+                    if let Source::Constant { bits, .. } = *source {
+                        return tape.push(Op::Constant(bits));
+                    }
                     sources.push(*source);
                     tape.push(Op::Load(sources.len() as u32 - 1))
                 })

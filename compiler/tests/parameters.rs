@@ -1,0 +1,109 @@
+//! Parameters of a compiled graph: proofs rest on their ranges, so no way in leads past them.
+
+use std::sync::Arc;
+
+use phenomenon_compiler::check::check_graph;
+use phenomenon_compiler::document;
+use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
+use phenomenon_compiler::graph::{BindError, Graph};
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::values::Literal;
+
+const GRAPH: &str = r#"{
+    "phenomenon": "ranged", "version": 1,
+    "interface": {
+        "ior": { "type": "scalar", "default": 1.5, "min": 1, "max": 4 },
+        "layers": { "type": "integer", "default": 2, "min": 0, "max": 8 },
+        "tint": { "type": "color", "default": [0.5, 0.5, 0.5], "min": 0, "max": 1 }
+    },
+    "nodes": {
+        "point": { "type": "state" },
+        "scaled": { "type": "multiply", "inputs": { "a": { "interface": "ior" }, "b": { "interface": "layers" } } },
+        "shade": { "type": "mix", "inputs": {
+            "a": { "interface": "tint" }, "b": [1, 1, 1], "weight": { "node": "seen" } } },
+        "seen": { "type": "multiply", "inputs": {
+            "a": { "node": "scaled" }, "b": { "node": "point", "output": "u" } } }
+    },
+    "roots": { "material": { "node": "shade" } }
+}"#;
+
+fn graph(library: &Arc<NodeLibrary>) -> Arc<Graph> {
+    let document = document::read("ranged.json", GRAPH.as_bytes()).expect("it is JSON");
+    let checked = check_graph(&document, library);
+    Arc::new(checked.graph.unwrap_or_else(|| panic!("{:?}", checked.findings)))
+}
+
+/// Values no parameter of the graph takes, each with what is wrong.
+fn refused() -> Vec<(&'static str, Literal, &'static str)> {
+    vec![
+        ("ior", Literal::Scalar(-1.0), "range"),
+        ("ior", Literal::Scalar(1.0_f32.next_down()), "range"),
+        ("ior", Literal::Scalar(4.0_f32.next_up()), "range"),
+        ("ior", Literal::Integer(5), "range"),
+        ("ior", Literal::Scalar(f32::NAN), "finite"),
+        ("ior", Literal::Scalar(f32::INFINITY), "finite"),
+        ("ior", Literal::Vector([2.0; 3]), "type"),
+        ("layers", Literal::Integer(-1), "range"),
+        ("layers", Literal::Integer(i32::MAX), "range"),
+        ("layers", Literal::Scalar(2.0), "type"),
+        ("tint", Literal::Color([0.5, 0.5, 1.5, 1.0]), "range"),
+        ("tint", Literal::Color([0.5, f32::NEG_INFINITY, 0.5, 1.0]), "finite"),
+        ("tint", Literal::Scalar(-0.5), "range"),
+        ("sheen", Literal::Scalar(0.5), "unknown"),
+    ]
+}
+
+fn kind(error: &ShaderError) -> &'static str {
+    match error {
+        ShaderError::Bind(BindError::Range { .. }) => "range",
+        ShaderError::Bind(BindError::NotFinite { .. }) => "finite",
+        ShaderError::Bind(BindError::Type { .. }) => "type",
+        ShaderError::Bind(BindError::Unknown { .. }) => "unknown",
+        ShaderError::Jit(_) | ShaderError::Specialise(_) => "another",
+    }
+}
+
+#[test]
+fn ranges_hold_when_a_shader_is_made_and_when_it_is_set() {
+    let library = Arc::new(NodeLibrary::standard());
+    let graph = graph(&library);
+    for engine in [Engine::Walk, Engine::Batch] {
+        let options = Options { engine, ..Options::default() };
+        let compile = |values: &[(String, Literal)]| {
+            Shader::new(Arc::clone(&graph), Arc::clone(&library), values, options)
+        };
+        let mut shader = compile(&[]).expect("it compiles");
+        for (name, value, expected) in refused() {
+            let error = compile(&[(name.to_owned(), value.clone())]).expect_err("it is refused");
+            assert_eq!(kind(&error), expected, "{name} = {value}: {error}");
+            let before = shader.print();
+            let error = shader.set(name, &value).expect_err("it is refused");
+            assert_eq!(kind(&error), expected, "{name} = {value}: {error}");
+            assert_eq!(shader.print(), before, "a refusal changes nothing");
+        }
+        // The ends themselves, and what is converted.
+        for (name, value) in [
+            ("ior", Literal::Scalar(1.0)),
+            ("ior", Literal::Scalar(4.0)),
+            ("ior", Literal::Integer(3)),
+            ("layers", Literal::Integer(0)),
+            ("tint", Literal::Scalar(1.0)),
+        ] {
+            shader.set(name, &value).unwrap_or_else(|error| panic!("{name} = {value}: {error}"));
+        }
+    }
+}
+
+/// What is written in the file is known when the graph is compiled; what is set is not.
+#[test]
+fn literals_are_constants_and_parameters_are_not() {
+    let library = Arc::new(NodeLibrary::standard());
+    let options = Options { engine: Engine::Batch, ..Options::default() };
+    let shader = Shader::new(graph(&library), library, &[], options).expect("it compiles");
+    let text = shader.print();
+    let words = text.split([' ', '\n']);
+    let (constants, uniforms): (Vec<&str>, Vec<&str>) =
+        words.filter(|word| word.starts_with(['#', 'u'])).partition(|word| word.starts_with('#'));
+    assert!(constants.contains(&"#3f800000"), "the white of the mix, in\n{text}");
+    assert!(!uniforms.is_empty(), "the tint, in\n{text}");
+}
