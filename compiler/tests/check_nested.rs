@@ -204,6 +204,25 @@ fn files_are_nested_to_a_limit() {
 }
 
 #[test]
+fn a_file_may_be_called_as_a_node_is() {
+    let mixes = r#""out":{"type":"mix","inputs":{"a":{"interface":"tint"},"b":0.5,"weight":0.5}}"#;
+    let named = phenomenon(TINT, mixes, r#"{"node":"out"}"#);
+    let outer = phenomenon(
+        "",
+        r#""x":{"type":{"file":"mix"}},"y":{"type":"mix","inputs":{"a":{"node":"x"},"b":1,"weight":0.5}}"#,
+        r#"{"node":"y"}"#,
+    );
+    let graph = graph(&[("a.json", outer), ("mix", named)]);
+    let library = NodeLibrary::standard();
+    let names: Vec<&str> = graph.nodes.iter().map(|node| node.name.as_str()).collect();
+    assert_eq!(names, ["x/out", "y"]);
+    let signature = library.signature(graph.nodes[1].node_type);
+    assert_eq!(signature.name, "mix");
+    let a = signature.input("a").unwrap();
+    assert_eq!(graph.nodes[1].inputs[a], Binding::Node { node: 0, output: 0 });
+}
+
+#[test]
 fn mistakes_with_phenomena_are_found() {
     let with = |inputs: &str| codes(&[("a.json", user(inputs)), ("inner.json", inner())]);
     assert_eq!(with("\"tnit\":1"), [Code::UNKNOWN_INPUT]);

@@ -24,11 +24,15 @@ pub(super) fn bind<'d>(
     let mut added = Vec::new();
     for (at, node) in draft.nodes.iter().enumerate() {
         let Some(node_type) = node.node_type else { continue };
-        if let Kind::List(form) = draft.library.signature(node_type).kind {
+        if let Kind::List(form) = draft.node_types.signature(node_type).kind {
             let Some(values) = bind_list(reader, draft, types, at, node_type) else { continue };
             let next = draft.nodes.len() + added.len();
-            let list =
-                lists::List { library: &draft.library, name: &node.member.key, values, next };
+            let list = lists::List {
+                library: draft.node_types.library,
+                name: &node.member.key,
+                values,
+                next,
+            };
             match list.nodes(form) {
                 Some((own, others)) => {
                     nodes.push(own);
@@ -41,7 +45,7 @@ pub(super) fn bind<'d>(
         nodes.push(Node {
             name: node.member.key.clone(),
             node_type,
-            overload: overload(&draft.library, node_type, types.generic(at)),
+            overload: overload(draft.node_types.definition(node_type), types.generic(at)),
             inputs: bind_node(reader, draft, types, at, node_type),
         });
     }
@@ -107,11 +111,11 @@ fn chained(
     given: [(&str, Binding); 2],
     nodes: &mut Vec<Node>,
 ) -> Option<Binding> {
-    let Some(node_type) = draft.library.find("chain") else {
+    let Some(node_type) = draft.node_types.library.find("chain") else {
         needs(reader, root.member, "chain", "a list of shaders");
         return None;
     };
-    let signature = draft.library.signature(node_type);
+    let signature = draft.node_types.signature(node_type);
     let mut inputs = vec![Binding::Default; signature.inputs.len()];
     for (input, binding) in given {
         inputs[signature.input(input)?] = match binding {
@@ -138,7 +142,7 @@ fn bind_list<'d>(
     node: usize,
     node_type: NodeType,
 ) -> Option<lists::Values> {
-    let signature = draft.library.signature(node_type);
+    let signature = draft.node_types.signature(node_type);
     let generic = types.generic(node);
     let mut values = Vec::new();
     let mut index = Binding::Literal(Literal::Integer(0));
@@ -175,7 +179,7 @@ fn bind_node<'d>(
     node: usize,
     node_type: NodeType,
 ) -> Vec<Binding> {
-    let signature = draft.library.signature(node_type);
+    let signature = draft.node_types.signature(node_type);
     let mut bindings = vec![Binding::Default; signature.inputs.len()];
     let mut given = vec![false; signature.inputs.len()];
     for input in &draft.nodes[node].inputs {

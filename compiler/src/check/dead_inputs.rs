@@ -11,7 +11,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
     for (at, dead) in intervals.never_demanded(draft) {
         let drafted = &draft.nodes[at];
         let Some(node_type) = drafted.node_type else { continue };
-        let signature = draft.library.signature(node_type);
+        let signature = draft.node_types.signature(node_type);
         let given = |input: usize| drafted.inputs.iter().find(|given| given.input == Some(input));
         let connected = |given: &&DraftInput<'_>| matches!(given.source.kind, SourceKind::Node(..));
         let Some(connection) = given(dead).filter(connected) else { continue };
@@ -31,7 +31,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
                 }
                 SourceKind::Node(node, Some(output)) => {
                     let Some(node_type) = draft.nodes[node].node_type else { continue };
-                    let output = draft.library.signature(node_type).outputs[output].name;
+                    let output = draft.node_types.signature(node_type).outputs[output].name;
                     format!("output `{output}` of node `{}`", shortened(draft.name(node)))
                 }
                 _ => continue,

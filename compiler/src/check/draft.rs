@@ -10,13 +10,15 @@ use crate::graph::{Parameter, RootKind};
 use crate::nodes::{NodeLibrary, NodeType};
 use crate::values::Type;
 
+use super::limits::MAX_NODES;
 use super::nested::Nested;
+use super::node_types::NodeTypes;
 use super::shape::Shape;
 
 /// The names of a graph, and their types as far as they are known.
 pub(super) struct Draft<'d> {
-    /// The nodes of the library, and after them the phenomena this one uses.
-    pub library: NodeLibrary,
+    /// The types its nodes may have.
+    pub node_types: NodeTypes<'d>,
     /// The phenomena used, by file as written; none where a file cannot be used.
     pub phenomena: HashMap<&'d str, Option<NodeType>>,
     /// What they are, by node type.
@@ -107,6 +109,26 @@ pub(super) enum SourceKind {
 }
 
 impl<'d> Draft<'d> {
+    /// A graph of which nothing is known yet.
+    pub fn new(library: &'d NodeLibrary, unresolved: bool) -> Self {
+        Self {
+            node_types: NodeTypes::of(library),
+            phenomena: HashMap::new(),
+            nested: HashMap::new(),
+            parameters: Vec::new(),
+            nodes: Vec::new(),
+            roots: Vec::new(),
+            parameter_names: HashMap::new(),
+            values_left: Cell::new(MAX_NODES),
+            part_bytes: 0,
+            compounds: Vec::new(),
+            compound_names: HashMap::new(),
+            node_names: HashMap::new(),
+            suggestions: Suggestions::default(),
+            unresolved: Cell::new(unresolved),
+        }
+    }
+
     /// The name of a node.
     pub fn name(&self, node: usize) -> &'d str {
         &self.nodes[node].member.key

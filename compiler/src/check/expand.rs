@@ -47,7 +47,7 @@ pub(super) fn expand(reader: &mut Reader<'_>, draft: &Draft<'_>, graph: Graph) -
     }
     let known = vec![[None, None]; graph.nodes.len()];
     let mut expansion = Expansion { outer: &graph, places: &places, known };
-    let library = &draft.library;
+    let library = draft.node_types.library;
     let mut nodes = Vec::with_capacity(count);
     for (at, (node, place)) in graph.nodes.iter().zip(&places).enumerate() {
         match place {

@@ -1,6 +1,7 @@
 //! The checker as a whole.
 
 use std::path::Path;
+use std::rc::Rc;
 
 use crate::diagnostics::{Finding, Findings};
 use crate::document::{Document, Reader, all_mistakes, read_file};
@@ -8,8 +9,9 @@ use crate::graph::Graph;
 use crate::nodes::NodeLibrary;
 
 use super::files::{Files, OnDisk};
-use super::nest::Nest;
-use super::phenomenon;
+use super::nested::Nested;
+use super::phenomenon::{self, Given};
+use super::reachable::{Content, Named, Reachable, Reached};
 
 /// What checking a graph yields.
 #[derive(Clone, Debug, Default)]
@@ -43,14 +45,43 @@ pub fn check_graph(document: &Document, library: &NodeLibrary) -> Checked {
     check_graph_with(document, library, &OnDisk)
 }
 
-/// The same with the files it uses from elsewhere.
+/// The same with the files it uses from elsewhere. All it reaches are checked, those first that name no
+/// other.
 pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn Files) -> Checked {
-    let mut nest = Nest::new(library, files, document);
+    let mut reachable = Reachable::from(document, files);
+    let mut checked: Vec<Option<Rc<Nested>>> = Vec::new();
+    let mut found = Findings::default();
+    while let Some(Reached { content, uses }) = reachable.next() {
+        let given = Given { library, files, checked: &checked };
+        let (findings, phenomenon) = match content {
+            Content::Mistakes(findings) => (findings, None),
+            Content::Document(document, named) => check_one(&document, given, named),
+        };
+        for finding in findings {
+            // Texts of uses cost more than the finding, where there are too many to be shown.
+            let is_full = found.is_full();
+            found.push(if is_full { finding } else { uses.told_with(finding) });
+        }
+        checked.push(phenomenon.map(Rc::new));
+    }
     let mut reader = Reader::new(document);
-    let graph = phenomenon::check(&mut reader, &mut nest).map(|checked| checked.graph);
+    let given = Given { library, files, checked: &checked };
+    let phenomenon = phenomenon::check(&mut reader, given, reachable.into_named());
     // What is wrong in the files it uses follows what is wrong in itself.
-    for finding in nest.into_findings() {
+    for finding in found.into_sorted() {
         reader.findings.push(finding);
     }
-    Checked::from(reader.findings, graph)
+    Checked::from(reader.findings, phenomenon.map(|phenomenon| phenomenon.graph))
+}
+
+/// The findings of a file that another uses, and the phenomenon it is if it is right.
+fn check_one(
+    document: &Document,
+    given: Given<'_>,
+    named: Named,
+) -> (Vec<Finding>, Option<Nested>) {
+    let mut reader = Reader::new(document);
+    let phenomenon = phenomenon::check(&mut reader, given, named);
+    let phenomenon = phenomenon.filter(|_| !reader.findings.has_errors());
+    (reader.findings.into_sorted(), phenomenon)
 }

@@ -14,7 +14,7 @@ use super::intervals::{Intervals, Reached, described};
 pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Intervals<'_>) {
     for (at, drafted) in draft.nodes.iter().enumerate() {
         let Some(node_type) = drafted.node_type else { continue };
-        let signature = draft.library.signature(node_type);
+        let signature = draft.node_types.signature(node_type);
         for given in &drafted.inputs {
             let Some(input) = given.input else { continue };
             let declared = &signature.inputs[input];
@@ -85,7 +85,7 @@ impl Arrival<'_, '_> {
     }
 
     fn computed(&self, avoid: Avoid, node: usize, output: usize) -> Option<String> {
-        let signature = self.draft.library.signature(self.draft.nodes[node].node_type?);
+        let signature = self.draft.node_types.signature(self.draft.nodes[node].node_type?);
         let words = self.words();
         // The alpha of a colour is not computed with.
         let (word, reached) = words.iter().take(3).find_map(|word| {

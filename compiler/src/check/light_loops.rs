@@ -11,12 +11,12 @@ use super::draft::{Draft, Source, SourceKind};
 /// reads below its own loops only, others may give it from the light sample.
 pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) -> Vec<bool> {
     // Left to defaults, per node type and input: asked for often, so it is worked out once.
-    let by_default: Vec<Vec<bool>> = draft
-        .library
+    let library = draft.node_types.library;
+    let by_default: Vec<Vec<bool>> = library
         .iter()
         .map(|(node_type, definition)| {
             let inputs = 0..definition.signature.inputs.len();
-            inputs.map(|input| reads_light(&draft.library, node_type, input)).collect()
+            inputs.map(|input| reads_light(library, node_type, input)).collect()
         })
         .collect();
     let mut walk = Walk {
@@ -41,6 +41,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) -> Vec<bool> {
 /// The nodes reached from roots outside of every loop.
 struct Walk<'w, 'd> {
     draft: &'w Draft<'d>,
+    /// Of the types of the library.
     by_default: Vec<Vec<bool>>,
     visited: Vec<bool>,
     reported: Vec<bool>,
@@ -59,7 +60,8 @@ impl Walk<'_, '_> {
             SourceKind::Literal | SourceKind::Compound(_) | SourceKind::Broken => return,
         };
         let Some(node_type) = self.draft.nodes[node].node_type else { return };
-        if is_of_light(&self.draft.library, node_type, output) {
+        let is_phenomenon = self.draft.nested.contains_key(&node_type);
+        if !is_phenomenon && is_of_light(self.draft.node_types.library, node_type, output) {
             self.report(reader, node, Some(source.value), "");
         }
         if !std::mem::replace(&mut self.visited[node], true) {
@@ -70,7 +72,7 @@ impl Walk<'_, '_> {
     fn leave(&mut self, reader: &mut Reader<'_>, node: usize) {
         let draft = self.draft;
         let Some(node_type) = draft.nodes[node].node_type else { return };
-        let signature = draft.library.signature(node_type);
+        let signature = draft.node_types.signature(node_type);
         let nested = draft.nested.get(&node_type);
         let is_body = |input: usize| match nested {
             Some(nested) => !nested.outside_loops[input],
@@ -86,8 +88,10 @@ impl Walk<'_, '_> {
         for at in draft.nodes[node].inputs.iter().filter_map(|input| input.input) {
             given[at] = true;
         }
+        // The defaults of a phenomenon's parameters are literals.
+        let by_default = self.by_default.get(node_type.0);
         for (at, is_given) in given.into_iter().enumerate() {
-            if !is_given && !is_body(at) && self.by_default[node_type.0][at] {
+            if !is_given && !is_body(at) && by_default.is_some_and(|it| it[at]) {
                 self.report(reader, node, None, signature.inputs[at].name);
                 break;
             }
@@ -99,7 +103,7 @@ impl Walk<'_, '_> {
             return;
         }
         let drafted = &self.draft.nodes[node];
-        let kind = drafted.node_type.map_or("", |it| self.draft.library.signature(it).name);
+        let kind = drafted.node_type.map_or("", |it| self.draft.node_types.signature(it).name);
         let name = shortened(&drafted.member.key);
         let by = if input.is_empty() {
             String::new()

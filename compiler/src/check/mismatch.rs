@@ -19,7 +19,7 @@ pub(super) fn report(
     let (whole, part) = describe(draft, source);
     let message =
         format!("{} takes {}, but {whole} is {}", what(), with_article(to), with_article(from));
-    let help = help(&draft.library, from, to, &part);
+    let help = help(draft.node_types.library, from, to, &part);
     let mut finding =
         Finding::new(Code::TYPE_MISMATCH, reader.document.place(source.value), message, help);
     if let SourceKind::Parameter(parameter) = source.kind {
@@ -40,7 +40,7 @@ fn describe(draft: &Draft<'_>, source: &Source<'_>) -> (String, String) {
             let name = shortened(draft.name(node));
             let output = draft.nodes[node]
                 .node_type
-                .map_or("", |node_type| draft.library.signature(node_type).outputs[output].name);
+                .map_or("", |node_type| draft.node_types.signature(node_type).outputs[output].name);
             (format!("output `{output}` of node `{name}`"), format!("{name}.{output}"))
         }
         _ => ("it".into(), "it".into()),
@@ -73,7 +73,7 @@ fn help(library: &NodeLibrary, from: Type, to: Type, part: &str) -> String {
     }
 }
 
-/// Up to two nodes that make `to` of `from`; those whose parts match in number first.
+/// Up to two nodes of the library (phenomena convert nothing by intent) that make `to` of `from`; those whose parts match in number first.
 fn converters(library: &NodeLibrary, from: Type, to: Type) -> Vec<String> {
     let mut found: Vec<(usize, String)> = Vec::new();
     // Those with most outputs first: they keep the most of the value.
@@ -89,8 +89,7 @@ fn converters(library: &NodeLibrary, from: Type, to: Type) -> Vec<String> {
 
 /// How a node makes `to` of `from` if it needs nothing else, and how roundabout that is.
 fn converter(signature: &Signature, from: Type, to: Type) -> Option<(usize, String)> {
-    // Phenomena, which are named for their files, convert nothing by intent.
-    if signature.kind != Kind::Plain || signature.name.contains(['.', '/']) {
+    if signature.kind != Kind::Plain {
         return None;
     }
     let name = format!("a `{}` node", signature.name);

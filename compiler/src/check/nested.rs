@@ -1,9 +1,13 @@
 //! A phenomenon as others see it that use it.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use crate::graph::{Binding, Graph, Root, RootKind};
-use crate::nodes::{Kind, NodeLibrary};
+use crate::nodes::{
+    DefaultValue, Definition, FINITE, Input, Kind, NodeLibrary, Output, Overload, Signature,
+};
+use crate::values::Type;
 
 use super::shape::Shape;
 
@@ -62,4 +66,61 @@ impl Nested {
         let texture = std::iter::once(RootKind::Texture);
         texture.chain(RootKind::ALL).find_map(|kind| self.graph.root(kind))
     }
+
+    /// The node type it is under the path of its file: its parameters are the inputs, its root's color
+    /// and ok the outputs.
+    pub fn definition(&self, path: &str) -> Definition {
+        let inputs: Vec<Input> = self
+            .graph
+            .parameters
+            .iter()
+            .map(|parameter| Input {
+                name: interned(&parameter.name),
+                doc: parameter.doc.clone(),
+                value_type: parameter.value_type,
+                default: DefaultValue::Literal(parameter.default.clone()),
+                range: parameter.range.clone(),
+                avoid: None,
+                guarded: false,
+                scoped: false,
+                list: false,
+            })
+            .collect();
+        let output = |name, doc: &str, value_type| Output {
+            name,
+            doc: doc.into(),
+            value_type,
+            range: FINITE,
+        };
+        let guards = vec![None; inputs.len()];
+        Definition {
+            signature: Signature {
+                name: interned(path),
+                group: "phenomena",
+                doc: self.graph.doc.clone(),
+                source: "",
+                inputs,
+                outputs: vec![
+                    output("color", "The value of its root.", Type::Color),
+                    output("ok", "Whether its root yields a value at all.", Type::Boolean),
+                ],
+                kind: Kind::Plain,
+            },
+            overloads: vec![Overload { generic: None, code: None, guards }],
+        }
+    }
+}
+
+/// A name that lives as long as the program, as signatures want it. Each different name is kept
+/// once, so checking the same files again and again costs nothing more.
+fn interned(name: &str) -> &'static str {
+    static NAMES: OnceLock<Mutex<HashSet<&'static str>>> = OnceLock::new();
+    let names = NAMES.get_or_init(Mutex::default);
+    let mut names = names.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = names.get(name) {
+        return known;
+    }
+    let kept: &'static str = Box::leak(name.to_owned().into_boxed_str());
+    names.insert(kept);
+    kept
 }

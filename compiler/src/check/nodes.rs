@@ -11,8 +11,9 @@ use super::draft::{Draft, DraftInput, DraftNode};
 use super::keys::NODE;
 use super::limits::MAX_NODES;
 use super::names::check_key;
+use super::reachable::file_of;
 use super::shape::Shape;
-use super::{compounds, nest, sources};
+use super::{compounds, sources};
 
 /// Reads all nodes, then their inputs, which may name any of them. None where there are too many.
 pub(super) fn read<'d>(
@@ -91,7 +92,7 @@ fn unknown_keys<'d>(
     node_type: Option<NodeType>,
     unknown: Vec<&'d Member>,
 ) {
-    let signature = node_type.map(|node_type| draft.library.signature(node_type));
+    let signature = node_type.map(|node_type| draft.node_types.signature(node_type));
     let inputs = node.value.get("inputs");
     let is_input = |member: &Member| match signature {
         Some(signature) => {
@@ -142,14 +143,14 @@ fn check_version(
     if wanted == 0 || wanted == version {
         return;
     }
-    let name = draft.library.signature(node_type).name;
+    let name = draft.node_types.signature(node_type).name;
     let message = format!("`{name}` has version {version}, not {wanted}");
     let help = format!("check what changed in it, then write `\"version\": {version}`");
     reader.report(Code::VERSION_MISMATCH, value, message, help);
 }
 
 fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> Option<NodeType> {
-    if let Some(file) = nest::file_of(value) {
+    if let Some(file) = file_of(value) {
         return draft.phenomena.get(file).copied().flatten();
     }
     if matches!(value.kind, ValueKind::Object(_)) {
@@ -158,14 +159,15 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
         return reader.string(file, "`file`").and(None);
     }
     let name = reader.string(value, "the type of a node")?;
-    let found = draft.library.find(name).filter(|found| !draft.nested.contains_key(found));
+    let found = draft.node_types.library.find(name);
     if found.is_none() {
         let names: Vec<&str> =
-            draft.library.iter().map(|(_, definition)| definition.signature.name).collect();
+            draft.node_types.signatures().map(|signature| signature.name).collect();
         let near = draft.suggestions.nearest(name, names.iter().copied());
         // A library of another crate may lack what the tables name.
-        let synonym = synonyms::node(name)
-            .filter(|found| found.ours.iter().all(|ours| draft.library.find(ours).is_some()));
+        let synonym = synonyms::node(name).filter(|found| {
+            found.ours.iter().all(|ours| draft.node_types.library.find(ours).is_some())
+        });
         let (help, fix) = advice(synonym, near, || "`phenomenon nodes` lists every type".into());
         let message = format!("there is no node type `{}`", shortened(name));
         let place = reader.document.place(value);
@@ -253,7 +255,7 @@ fn read_inputs<'d>(
     node: usize,
 ) -> Vec<DraftInput<'d>> {
     let Some(members) = reader.members(value, "`inputs`") else { return Vec::new() };
-    let signature = draft.nodes[node].node_type.map(|it| draft.library.signature(it));
+    let signature = draft.nodes[node].node_type.map(|it| draft.node_types.signature(it));
     let mut has_parts = false;
     let mut inputs = Vec::new();
     // Which inputs are given at all, once it matters.

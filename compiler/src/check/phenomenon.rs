@@ -1,29 +1,79 @@
 //! The check of one phenomenon.
 
-use std::cell::Cell;
-use std::collections::HashMap;
+use std::rc::Rc;
 
 use crate::diagnostics::{Code, Finding};
-use crate::document::{Reader, Value, ValueKind};
-use crate::graph::Graph;
+use crate::document::{Object, Reader, Value, ValueKind};
+use crate::graph::{Graph, Node};
+use crate::nodes::NodeLibrary;
 
-use super::draft::{Draft, Suggestions};
+use super::draft::Draft;
+use super::files::Files;
 use super::intervals::Intervals;
-use super::limits::MAX_NODES;
-use super::nest::Nest;
 use super::nested::Nested;
+use super::reachable::Named;
 use super::{
     bind_inputs, cycles, dead_inputs, expand, hazards, interface, keys, light_loops, names, nodes,
-    ranges, reach, requirements, roots, stations, textures, types,
+    ranges, reach, requirements, roots, stations, textures, types, used_phenomena,
 };
 
-/// Checks a phenomenon; the graph has no nested phenomena any more.
-pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<Nested> {
+/// What the check of a file rests on, besides the file.
+#[derive(Clone, Copy)]
+pub(super) struct Given<'g> {
+    /// The node types there are.
+    pub library: &'g NodeLibrary,
+    /// Where files come from.
+    pub files: &'g dyn Files,
+    /// The files that were reached, as far as they are phenomena that can be used.
+    pub checked: &'g [Option<Rc<Nested>>],
+}
+
+/// What a phenomenon says of itself.
+struct Header {
+    name: String,
+    version: i32,
+    doc: String,
+}
+
+/// Checks a phenomenon, which names other files; the graph has no nested phenomena any more.
+pub(super) fn check<'d>(reader: &mut Reader<'d>, given: Given<'d>, named: Named) -> Option<Nested> {
     let root = &reader.document.root;
     if !is_graph(reader, root) || !reader.reads_format(root) {
         return None;
     }
     let object = reader.object(root, "a phenomenon", &keys::PHENOMENON)?;
+    let header = read_header(reader, &object);
+    let mut draft = Draft::new(given.library, reader.findings.has_errors());
+    let nodes = object.optional("nodes");
+    used_phenomena::declare(reader, nodes, &mut draft, named, given.checked);
+    interface::read(reader, object.optional("interface"), &mut draft);
+    nodes::read(reader, nodes, &mut draft)?;
+    roots::read(reader, root, object.optional("roots"), &mut draft);
+    let order = cycles::order(reader, &draft);
+    let types = types::resolve(&draft, &order);
+    let (nodes, roots) = bind_inputs::bind(reader, &draft, &types);
+    let requirements = requirements::check(reader, object.optional("requires"), &draft);
+    let outside_loops = light_loops::check(reader, &draft);
+    stations::check(reader, &draft);
+    reach::check(reader, &draft);
+    let ruled_out = check_values(reader, &draft, &nodes, &order);
+    textures::check(reader, given.files);
+    let parameters = draft.parameters.iter_mut().filter_map(|given| given.parameter.take());
+    let parameters = parameters.collect();
+    let Header { name, version, doc } = header;
+    let graph = Graph { name, doc, version, requirements, parameters, nodes, roots, ruled_out };
+    if draft.phenomena.values().any(Option::is_none) || reader.findings.has_errors() {
+        return None;
+    }
+    let graph = match draft.nested.is_empty() {
+        true => graph,
+        false => expand::expand(reader, &draft, graph)?,
+    };
+    let shapes = draft.compounds.drain(..).filter(|(name, _)| !name.contains(['.', '[']));
+    Some(Nested::new(given.library, graph, outside_loops, shapes.collect()))
+}
+
+fn read_header<'d>(reader: &mut Reader<'d>, object: &Object<'d>) -> Header {
     let name = object.optional("phenomenon").and_then(|value| {
         let name = reader.string(value, "the name of the phenomenon")?;
         names::check_name(reader, value, "the name of the phenomenon", name);
@@ -36,62 +86,25 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, nest: &mut Nest<'_>) -> Option<
     if let Some(value) = object.optional("$schema") {
         reader.string(value, "`$schema`");
     }
-    let mut draft = Draft {
-        library: nest.library.clone(),
-        phenomena: HashMap::new(),
-        nested: HashMap::new(),
-        parameters: Vec::new(),
-        nodes: Vec::new(),
-        roots: Vec::new(),
-        parameter_names: HashMap::new(),
-        values_left: Cell::new(MAX_NODES),
-        part_bytes: 0,
-        compounds: Vec::new(),
-        compound_names: HashMap::new(),
-        node_names: HashMap::new(),
-        suggestions: Suggestions::default(),
-        unresolved: Cell::new(reader.findings.has_errors()),
-    };
-    nest.load(reader, object.optional("nodes"), &mut draft);
-    interface::read(reader, object.optional("interface"), &mut draft);
-    nodes::read(reader, object.optional("nodes"), &mut draft)?;
-    roots::read(reader, root, object.optional("roots"), &mut draft);
-    let order = cycles::order(reader, &draft);
-    let types = types::resolve(&draft, &order);
-    let (nodes, roots) = bind_inputs::bind(reader, &draft, &types);
-    let requirements = requirements::check(reader, object.optional("requires"), &draft);
-    let outside_loops = light_loops::check(reader, &draft);
-    stations::check(reader, &draft);
-    reach::check(reader, &draft);
-    let intervals = Intervals::of(&draft, &nodes, &order);
-    ranges::check(reader, &draft, &intervals);
-    hazards::check(reader, &draft, &intervals);
-    dead_inputs::check(reader, &draft, &intervals);
-    let ruled_out = intervals.ruled_out();
-    textures::check(reader, nest.files());
-    let graph = Graph {
+    Header {
         name: name.unwrap_or_default().to_owned(),
-        doc: doc.unwrap_or_default().to_owned(),
         version: version.unwrap_or_default(),
-        requirements,
-        parameters: draft
-            .parameters
-            .iter_mut()
-            .filter_map(|given| given.parameter.take())
-            .collect(),
-        nodes,
-        roots,
-        ruled_out,
-    };
-    if draft.phenomena.values().any(Option::is_none) || reader.findings.has_errors() {
-        return None;
+        doc: doc.unwrap_or_default().to_owned(),
     }
-    let graph = match draft.nested.is_empty() {
-        true => graph,
-        false => expand::expand(reader, &draft, graph)?,
-    };
-    let shapes = draft.compounds.drain(..).filter(|(name, _)| !name.contains(['.', '[']));
-    Some(Nested::new(&draft.library, graph, outside_loops, shapes.collect()))
+}
+
+/// Checks what values the nodes come to have; yields the inputs that are never asked for.
+fn check_values(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    nodes: &[Node],
+    order: &[usize],
+) -> Vec<(usize, usize)> {
+    let intervals = Intervals::of(draft, nodes, order);
+    ranges::check(reader, draft, &intervals);
+    hazards::check(reader, draft, &intervals);
+    dead_inputs::check(reader, draft, &intervals);
+    intervals.ruled_out()
 }
 
 /// Whether the document is meant as a graph; a finding if not.

@@ -18,7 +18,7 @@ const ROUNDING: f64 = 1e-6;
 pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Intervals<'_>) {
     for (node, drafted) in draft.nodes.iter().enumerate() {
         let Some(node_type) = drafted.node_type else { continue };
-        let signature = draft.library.signature(node_type);
+        let signature = draft.node_types.signature(node_type);
         for given in &drafted.inputs {
             let Some(at) = given.input else { continue };
             let input = &signature.inputs[at];
@@ -136,7 +136,7 @@ fn computed(
     let (Some(node_type), Some(reached)) = (draft.nodes[node].node_type, word.reached) else {
         return;
     };
-    let output = draft.library.signature(node_type).outputs[output].name;
+    let output = draft.node_types.signature(node_type).outputs[output].name;
     let name = shortened(draft.name(node));
     let own = described(reached.low.into(), reached.high.into());
     let is = if word.sources == 0 { "is" } else { "may be" };

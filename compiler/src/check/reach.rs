@@ -41,7 +41,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
 fn is_resolved(draft: &Draft<'_>) -> bool {
     let rootless = draft.roots.is_empty() || draft.roots.iter().any(|root| root.colors.is_empty());
     let is_text = |node: &DraftNode<'_>, input: &DraftInput<'_>| {
-        let signature = node.node_type.map(|node_type| draft.library.signature(node_type));
+        let signature = node.node_type.map(|node_type| draft.node_types.signature(node_type));
         let declared = signature.zip(input.input).map(|(of, at)| &of.inputs[at]);
         declared.is_some_and(|declared| declared.value_type == Type::String)
     };

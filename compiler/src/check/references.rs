@@ -88,7 +88,7 @@ fn parameter(draft: &Draft<'_>, name: &str) -> Meant {
 /// What `name`, or `name.rest`, means of a node that exists.
 fn node(draft: &Draft<'_>, name: &str, rest: Option<&str>) -> Meant {
     let at = draft.node_names[name];
-    let signature = draft.nodes[at].node_type.map(|it| draft.library.signature(it));
+    let signature = draft.nodes[at].node_type.map(|it| draft.node_types.signature(it));
     let shown = shortened(name);
     let unsure = |help: String| Meant { help, members: None, value_type: None, parameter: None };
     let written = |output: &str| {
@@ -126,7 +126,7 @@ fn node(draft: &Draft<'_>, name: &str, rest: Option<&str>) -> Meant {
 
 /// How to take a part of an output of a node: of `point.y`, or of `y` where a vector is the only output.
 pub(super) fn part_of_output(draft: &Draft<'_>, node: usize, text: &str) -> Option<String> {
-    let signature = draft.library.signature(draft.nodes[node].node_type?);
+    let signature = draft.node_types.signature(draft.nodes[node].node_type?);
     let name = shortened(draft.name(node));
     let split = text.split_once(['.', '/', ':', '[']);
     let (output, part) = match split {

@@ -61,7 +61,7 @@ fn connection<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) 
     let Some(node_type) = draft.nodes[node].node_type else {
         return SourceKind::Node(node, None);
     };
-    let signature = draft.library.signature(node_type);
+    let signature = draft.node_types.signature(node_type);
     let Some(given) = object.optional("output") else { return SourceKind::Node(node, Some(0)) };
     let Some(output) = reader.string(given, "`output`") else {
         return SourceKind::Node(node, None);
@@ -82,7 +82,7 @@ fn unknown_output(
     output: &str,
 ) {
     let Some(node_type) = draft.nodes[node].node_type else { return };
-    let signature = draft.library.signature(node_type);
+    let signature = draft.node_types.signature(node_type);
     let names = || signature.outputs.iter().map(|output| output.name);
     let (help, fix) = match references::part_of_output(draft, node, output) {
         Some(help) => (help, None),

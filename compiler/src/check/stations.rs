@@ -39,10 +39,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
         let misapplied =
             nested.clone().any(|nested| !nested.graph.requirements.applies_to(root.kind));
         let anything = misapplied
-            || draft
-                .library
-                .iter()
-                .any(|(_, definition)| forbidden(root.kind, &definition.signature.kind).is_some());
+            || draft.node_types.signatures().any(|it| forbidden(root.kind, &it.kind).is_some());
         if !anything {
             continue;
         }
@@ -73,7 +70,7 @@ fn report(
     node: usize,
     node_type: NodeType,
 ) -> bool {
-    let signature = draft.library.signature(node_type);
+    let signature = draft.node_types.signature(node_type);
     // A phenomenon asks whatever its nodes ask.
     let inner = draft.nested.get(&node_type);
     let why = forbidden(station, &signature.kind)

@@ -1,6 +1,6 @@
 //! Types of generic nodes, resolved from what is connected to them.
 
-use crate::nodes::{NodeLibrary, NodeType};
+use crate::nodes::{Definition, NodeType};
 use crate::values::Type;
 
 use super::draft::{Draft, DraftNode, Source, SourceKind};
@@ -24,7 +24,7 @@ impl Types {
             SourceKind::Parameter(parameter) => draft.parameters[parameter].value_type,
             SourceKind::Node(node, Some(output)) => {
                 let node_type = draft.nodes[node].node_type?;
-                match draft.library.signature(node_type).outputs[output].value_type {
+                match draft.node_types.signature(node_type).outputs[output].value_type {
                     Type::Generic => self.generic[node],
                     known => Some(known),
                 }
@@ -43,7 +43,7 @@ pub(super) fn resolve(draft: &Draft<'_>, order: &[usize]) -> Types {
     for &node in order {
         let drafted = &draft.nodes[node];
         if let Some(node_type) = drafted.node_type
-            && draft.library.signature(node_type).is_generic()
+            && draft.node_types.signature(node_type).is_generic()
         {
             types.generic[node] = resolve_node(draft, &types, drafted, node_type);
         }
@@ -58,7 +58,7 @@ fn resolve_node(
     node: &DraftNode<'_>,
     node_type: NodeType,
 ) -> Option<Type> {
-    let signature = draft.library.signature(node_type);
+    let signature = draft.node_types.signature(node_type);
     let mut widest: Option<Type> = None;
     let mut vector = false;
     let mut triple = false;
@@ -99,7 +99,7 @@ fn resolve_node(
         (Some(found), ..) => found,
         (None, ..) => Type::Scalar,
     };
-    overload_type(&draft.library, node_type, resolved)
+    overload_type(draft.node_types.definition(node_type), resolved)
 }
 
 fn is_triple(source: &Source<'_>) -> bool {
@@ -112,8 +112,8 @@ fn wider(a: Type, b: Type) -> Type {
 
 /// The type of the first overload that takes `wanted`; else of the first there is, so that the
 /// mismatch is reported against something.
-fn overload_type(library: &NodeLibrary, node_type: NodeType, wanted: Type) -> Option<Type> {
-    let overloads = &library.definition(node_type).overloads;
+fn overload_type(definition: &Definition, wanted: Type) -> Option<Type> {
+    let overloads = &definition.overloads;
     let exact = overloads.iter().find(|overload| overload.generic == Some(wanted));
     let converting = overloads
         .iter()
@@ -122,7 +122,7 @@ fn overload_type(library: &NodeLibrary, node_type: NodeType, wanted: Type) -> Op
 }
 
 /// Position of the overload for a resolved type; 0 for nodes without generic inputs.
-pub(super) fn overload(library: &NodeLibrary, node_type: NodeType, generic: Option<Type>) -> usize {
-    let overloads = &library.definition(node_type).overloads;
+pub(super) fn overload(definition: &Definition, generic: Option<Type>) -> usize {
+    let overloads = &definition.overloads;
     overloads.iter().position(|overload| overload.generic == generic).unwrap_or(0)
 }

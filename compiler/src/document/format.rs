@@ -12,6 +12,12 @@ fn is_newer(text: &str) -> bool {
     matches!(numbers::whole(text), numbers::Whole::Number(format) if format > i128::from(FORMAT))
 }
 
+/// Whether a file says that it is of a newer format than any that is read.
+pub(crate) fn is_newer_format(root: &Value) -> bool {
+    let format = root.get("format").map(|value| &value.kind);
+    matches!(format, Some(ValueKind::Number(text)) if is_newer(text))
+}
+
 impl<'d> Reader<'d> {
     /// Whether a file is of a format that is read. Of a newer one nothing is known, not even which keys it has: that
     /// is the one finding.

@@ -17,6 +17,7 @@ mod value;
 
 pub use canonical::canonical;
 pub use format::FORMAT;
+pub(crate) use format::is_newer_format;
 pub(crate) use open::irregular;
 pub use open::{open_file, opened_files};
 pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES};

@@ -104,7 +104,7 @@ impl<'n> Intervals<'n> {
         input: usize,
         into: &mut Vec<Value>,
     ) {
-        let definition = draft.library.definition(node.node_type);
+        let definition = draft.node_types.definition(node.node_type);
         let to = settled(definition, node.overload, input);
         match &node.inputs[input] {
             Binding::Literal(literal) => given::literal(literal, to, into),
@@ -120,7 +120,7 @@ impl<'n> Intervals<'n> {
                 let (Some(node), Some(first)) = (self.slots.node(*source), first) else {
                     return given::unknown(to, into);
                 };
-                let definition = draft.library.definition(node.node_type);
+                let definition = draft.node_types.definition(node.node_type);
                 let overload = &definition.overloads[node.overload];
                 let outputs = &definition.signature.outputs;
                 let width = |at: usize| of_overload(outputs[at].value_type, overload).width();
@@ -163,11 +163,11 @@ impl Pass<'_, '_> {
     /// The words a node yields.
     fn node(&mut self, intervals: &mut Intervals<'_>, slot: usize, node: &Node) -> Vec<Value> {
         let draft = self.draft;
-        let definition = draft.library.definition(node.node_type);
+        let definition = draft.node_types.definition(node.node_type);
         let mut arriving = Arriving::new(definition.signature.inputs.len());
         for input in 0..definition.signature.inputs.len() {
             let implied = match (&definition.signature.inputs[input].default, &node.inputs[input]) {
-                (DefaultValue::Node(name), Binding::Default) => draft.library.find(name),
+                (DefaultValue::Node(name), Binding::Default) => draft.node_types.library.find(name),
                 _ => None,
             };
             match implied {
@@ -213,7 +213,7 @@ impl Pass<'_, '_> {
         if let Some(known) = self.implied.get(&node_type) {
             return known.clone();
         }
-        let definition = self.draft.library.definition(node_type);
+        let definition = self.draft.node_types.definition(node_type);
         let overload = &definition.overloads[0];
         let mut arriving = Arriving::new(definition.signature.inputs.len());
         for input in &definition.signature.inputs {

@@ -22,7 +22,7 @@ impl<'n> Slots<'n> {
         let mut next = 0;
         let own = draft.nodes.iter().map(|drafted| {
             let node_type = drafted.node_type?;
-            let list = matches!(draft.library.signature(node_type).kind, Kind::List(_));
+            let list = matches!(draft.node_types.signature(node_type).kind, Kind::List(_));
             let bound = nodes.get(next)?;
             // One over a list that is not understood is left out.
             let there = bound.name == drafted.member.key && (list || bound.node_type == node_type);
