@@ -5,8 +5,8 @@
 //! in 509 and more pairs.
 
 use phenomenon_compiler::emit::Body;
-use phenomenon_compiler::emit::functions;
-use phenomenon_compiler::emit::{Emit, Sink, Words};
+use phenomenon_compiler::emit::standard;
+use phenomenon_compiler::emit::{Emit, Real, Sink, Words};
 use phenomenon_compiler::kernels::BodyForms;
 use phenomenon_compiler::storage::{FileShape, LANES, Lanes, Placement, Source};
 
@@ -135,7 +135,7 @@ macro_rules! everywhere {
     ($($test:ident: $function:ident, $exact:ident, $($low:literal .. $high:literal),+;)+) => {$(
         #[test]
         fn $test() {
-            let code = code!(|a, b| functions::$function(a));
+            let code = code!(|a, b| a.$function());
             let exact = |a, _| core_math::$exact(a);
             report(stringify!($function), "every number", 2.0, worst(code, exact, patterns()));
             $(report(stringify!($function), concat!($low, "..", $high), 2.0,
@@ -161,7 +161,7 @@ everywhere! {
 
 /// Every number the angle of which counts.
 fn angles() -> impl Iterator<Item = [f32; 2]> {
-    patterns().filter(|[x, _]| x.abs() <= functions::LARGEST_ANGLE as f32)
+    patterns().filter(|[x, _]| x.abs() <= standard::LARGEST_ANGLE as f32)
 }
 
 /// The numbers next to multiples of pi/2, where sine, cosine or tangent is small or huge.
@@ -173,7 +173,7 @@ macro_rules! of_angles {
     ($($test:ident: $function:ident, $exact:ident;)+) => {$(
         #[test]
         fn $test() {
-            let code = code!(|a, b| functions::$function(a));
+            let code = code!(|a, b| a.$function());
             let exact = |a, _| core_math::$exact(a);
             let name = stringify!($function);
             report(name, "every number to 2^18", 2.0, worst(code, exact, angles()));
@@ -192,7 +192,7 @@ of_angles! {
 #[test]
 fn sine_and_cosine_stay_within_one_for_every_number() {
     for [x, _] in patterns().filter(|[x, _]| x.is_finite()) {
-        let (sine, cosine) = functions::sin_cos(phenomenon_compiler::emit::scalar::F32(x));
+        let (sine, cosine) = standard::sin_cos(phenomenon_compiler::emit::scalar::F32(x));
         assert!(sine.0.abs() <= 1.0 && cosine.0.abs() <= 1.0, "{x:e}: {sine:?} {cosine:?}");
     }
 }
@@ -244,7 +244,7 @@ fn specials() -> impl Iterator<Item = [f32; 2]> {
 
 #[test]
 fn pow_is_accurate() {
-    let code = code!(|a, b| functions::pow(a, b));
+    let code = code!(|a, b| a.pow(b));
     let exact = core_math::pow;
     report("pow", "special values", 2.0, worst(code, exact, specials()));
     let signed = |x: f32| x * 2.0 - 1.0;
@@ -265,7 +265,7 @@ fn pow_is_accurate() {
 
 #[test]
 fn atan2_is_accurate() {
-    let code = code!(|a, b| functions::atan2(a, b));
+    let code = code!(|a, b| a.atan2(b));
     let exact = core_math::atan2;
     report("atan2", "special values", 2.0, worst(code, exact, specials()));
     let signed = |x: f32| x * 2.0 - 1.0;

@@ -8,7 +8,7 @@ use std::arch::x86_64::*;
 use std::mem::MaybeUninit;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
-use super::{Emit, Int, Mask, Real, Select, Sink, Words};
+use super::{Bits, Emit, Int, Mask, Real, Select, Sink, Words, standard_functions};
 use crate::emit::Body;
 use crate::storage::{Lanes, Placement, Source};
 
@@ -205,9 +205,17 @@ impl Real for F32x8 {
             _mm256_and_si256(in_range, _mm256_castps_si256(number))
         }))
     }
+    standard_functions!();
+}
+
+impl Bits for F32x8 {
     #[inline(always)]
     fn to_bits(self) -> I32x8 {
         I32x8(simd!(_mm256_castps_si256(self.0)))
+    }
+    #[inline(always)]
+    fn from_bits(bits: I32x8) -> Self {
+        Self(simd!(_mm256_castsi256_ps(bits.0)))
     }
 }
 
@@ -241,10 +249,6 @@ impl Int for I32x8 {
     #[inline(always)]
     fn to_real(self) -> F32x8 {
         F32x8(simd!(_mm256_cvtepi32_ps(self.0)))
-    }
-    #[inline(always)]
-    fn from_bits(self) -> F32x8 {
-        F32x8(simd!(_mm256_castsi256_ps(self.0)))
     }
 }
 

@@ -73,8 +73,45 @@ pub trait Real:
     fn not_equal(self, other: Self) -> Self::Mask;
     /// As Rust's `as i32`: towards zero, NaN gives 0, outside the range its nearest end.
     fn to_int(self) -> Self::Int;
-    /// The bits as an integer.
-    fn to_bits(self) -> Self::Int;
+
+    /// Sine of an angle in radians. This and the functions below are accurate to the tier: see
+    /// [`standard`](super::standard).
+    fn sin(self) -> Self;
+    /// Cosine of an angle in radians.
+    fn cos(self) -> Self;
+    /// Tangent of an angle in radians.
+    fn tan(self) -> Self;
+    /// Arc sine; NaN outside -1..=1.
+    fn asin(self) -> Self;
+    /// Arc cosine; NaN outside -1..=1.
+    fn acos(self) -> Self;
+    /// Arc tangent.
+    fn atan(self) -> Self;
+    /// The angle of the point (`x`, `self`), in -pi..=pi, with the signs of zeros counting as in
+    /// IEEE 754.
+    fn atan2(self, x: Self) -> Self;
+    /// `e^self`.
+    fn exp(self) -> Self;
+    /// `2^self`.
+    fn exp2(self) -> Self;
+    /// `e^self - 1`, accurate near 0.
+    fn expm1(self) -> Self;
+    /// Hyperbolic sine.
+    fn sinh(self) -> Self;
+    /// Hyperbolic cosine.
+    fn cosh(self) -> Self;
+    /// Hyperbolic tangent.
+    fn tanh(self) -> Self;
+    /// Natural logarithm: -inf at 0, NaN below.
+    fn ln(self) -> Self;
+    /// Logarithm to base 2: -inf at 0, NaN below.
+    fn log2(self) -> Self;
+    /// `ln(1 + self)`, accurate near 0: -inf at -1, NaN below.
+    fn log1p(self) -> Self;
+    /// `self^exponent` as in IEEE 754: 1 for an exponent of 0 and a base of 1, NaN for a negative
+    /// finite base and an exponent that is not whole, infinite for zero to a negative power, with
+    /// the sign of the base for an odd whole exponent.
+    fn pow(self, exponent: Self) -> Self;
 
     /// `self > other`; false where either is NaN.
     #[inline(always)]
@@ -134,10 +171,34 @@ pub trait Int:
     fn less(self, other: Self) -> Self::Mask;
     /// Nearest number, ties to even.
     fn to_real(self) -> Self::Real;
-    /// The bits as a number.
-    #[expect(clippy::wrong_self_convention, reason = "the counterpart of `Real::to_bits`")]
-    fn from_bits(self) -> Self::Real;
 }
+
+/// Numbers of 32 bits, whose bits are integers of the same lanes. Back ends that have them can expand
+/// the functions of [`Real`] as the [`standard`](super::standard) tier does.
+pub trait Bits: Real {
+    /// The bits as an integer.
+    fn to_bits(self) -> Self::Int;
+    /// The number with these bits.
+    fn from_bits(bits: Self::Int) -> Self;
+}
+
+/// Inside an implementation of [`Real`] by a type that has [`Bits`]: the functions, as the standard
+/// tier expands them.
+macro_rules! standard_functions {
+    () => {
+        standard_functions! {
+            sin() cos() tan() asin() acos() atan() atan2(x) exp() exp2() expm1() sinh() cosh() tanh()
+            ln() log2() log1p() pow(exponent)
+        }
+    };
+    ($($function:ident($($second:ident)?))+) => {$(
+        #[inline(always)]
+        fn $function(self $(, $second: Self)?) -> Self {
+            $crate::emit::standard::$function(self $(, $second)?)
+        }
+    )+};
+}
+pub(crate) use standard_functions;
 
 /// Truth per lane.
 pub trait Mask:

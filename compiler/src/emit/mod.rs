@@ -16,9 +16,11 @@ pub mod functions;
 pub mod interval;
 pub mod scalar;
 mod shapes;
+pub mod standard;
 mod words;
 
-pub use back_end::{Emit, Int, Mask, Real, Select};
+pub(crate) use back_end::standard_functions;
+pub use back_end::{Bits, Emit, Int, Mask, Real, Select};
 pub use body::Body;
 pub use shapes::{Color, Components, One, Transform, Vector};
 pub use words::{Sink, Words, read_color, read_transform, read_vector, write_color, write_vector};

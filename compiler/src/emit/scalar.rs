@@ -2,7 +2,7 @@
 
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
-use super::{Emit, Int, Mask, Real, Select, Sink, Words};
+use super::{Bits, Emit, Int, Mask, Real, Select, Sink, Words, standard_functions};
 
 /// The back end of one `f32` point.
 #[derive(Clone, Copy, Debug)]
@@ -166,9 +166,17 @@ impl Real for F32 {
     fn to_int(self) -> I32 {
         I32(self.0 as i32)
     }
+    standard_functions!();
+}
+
+impl Bits for F32 {
     #[inline(always)]
     fn to_bits(self) -> I32 {
         I32(self.0.to_bits() as i32)
+    }
+    #[inline(always)]
+    fn from_bits(bits: I32) -> Self {
+        Self(f32::from_bits(bits.0 as u32))
     }
 }
 
@@ -202,10 +210,6 @@ impl Int for I32 {
     #[inline(always)]
     fn to_real(self) -> F32 {
         F32(self.0 as f32)
-    }
-    #[inline(always)]
-    fn from_bits(self) -> F32 {
-        F32(f32::from_bits(self.0 as u32))
     }
 }
 

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
 use super::{Op, OpId};
-use crate::emit::{Emit, Int, Mask, Real, Select, Sink, Words};
+use crate::emit::{Bits, Emit, Int, Mask, Real, Select, Sink, Words, standard_functions};
 
 /// Operations in order, each recorded once: an operation already on the tape is found again.
 #[derive(Debug, Default)]
@@ -184,8 +184,15 @@ impl<'t> Real for TapeReal<'t> {
     fn to_int(self) -> TapeInt<'t> {
         TapeInt(self.0, self.0.push(Op::ToInt(self.1)))
     }
+    standard_functions!();
+}
+
+impl<'t> Bits for TapeReal<'t> {
     fn to_bits(self) -> TapeInt<'t> {
         TapeInt(self.0, self.1)
+    }
+    fn from_bits(bits: TapeInt<'t>) -> Self {
+        Self(bits.0, bits.1)
     }
 }
 
@@ -218,9 +225,6 @@ impl<'t> Int for TapeInt<'t> {
     }
     fn to_real(self) -> TapeReal<'t> {
         TapeReal(self.0, self.0.push(Op::ToReal(self.1)))
-    }
-    fn from_bits(self) -> TapeReal<'t> {
-        TapeReal(self.0, self.1)
     }
 }
 

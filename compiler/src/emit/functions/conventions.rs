@@ -2,14 +2,14 @@
 //!
 //! The conventions stand in one table in `docs/numerics.md`; `tests/conventions.rs` holds each.
 
-use super::{limited, ln, log2, power};
 use crate::emit::{Int, Mask, Real};
 
 /// NaN becomes 0, an infinity the largest number of its sign.
 #[inline(always)]
 pub fn clamp_finite<R: Real>(x: R) -> R {
     let largest = f64::from(f32::MAX);
-    limited(x.equal(x).select(x, x.same(0.0)), -largest, largest)
+    let number = x.equal(x).select(x, x.same(0.0));
+    x.same(largest).minimum(x.same(-largest).maximum(number))
 }
 
 /// Square root, and 0 below zero and for NaN.
@@ -21,13 +21,13 @@ pub fn sqrt_or_zero<R: Real>(x: R) -> R {
 /// Natural logarithm, and 0 for what has none: zero, negative numbers, NaN.
 #[inline(always)]
 pub fn ln_or_zero<R: Real>(x: R) -> R {
-    x.greater(x.same(0.0)).select(ln(x), x.same(0.0))
+    x.greater(x.same(0.0)).select(x.ln(), x.same(0.0))
 }
 
 /// Logarithm to base 2, and 0 for what has none: zero, negative numbers, NaN.
 #[inline(always)]
 pub fn log2_or_zero<R: Real>(x: R) -> R {
-    x.greater(x.same(0.0)).select(log2(x), x.same(0.0))
+    x.greater(x.same(0.0)).select(x.log2(), x.same(0.0))
 }
 
 /// `x^y`; `x^0` is 1, also for x = 0; 0 for zero to a negative power and for a negative x to a
@@ -35,7 +35,7 @@ pub fn log2_or_zero<R: Real>(x: R) -> R {
 #[inline(always)]
 pub fn pow_or_zero<R: Real>(x: R, y: R) -> R {
     let zero = x.same(0.0);
-    let power = clamp_finite(power::pow(x, y));
+    let power = clamp_finite(x.pow(y));
     // Zero to a negative power is infinite without this.
     let vanishes = x.equal(zero) & y.not_equal(zero);
     vanishes.select(zero, power)
@@ -44,20 +44,20 @@ pub fn pow_or_zero<R: Real>(x: R, y: R) -> R {
 /// Arc sine of `x` clamped to -1..=1; NaN counts as -1.
 #[inline(always)]
 pub fn asin_clamped<R: Real>(x: R) -> R {
-    super::asin(x.clamp_to(x.same(-1.0), x.same(1.0)))
+    x.clamp_to(x.same(-1.0), x.same(1.0)).asin()
 }
 
 /// Arc cosine of `x` clamped to -1..=1; NaN counts as -1.
 #[inline(always)]
 pub fn acos_clamped<R: Real>(x: R) -> R {
-    super::acos(x.clamp_to(x.same(-1.0), x.same(1.0)))
+    x.clamp_to(x.same(-1.0), x.same(1.0)).acos()
 }
 
 /// The angle of the point (x, y), in -pi..=pi; 0 for the origin whatever the signs of its zeros.
 #[inline(always)]
 pub fn atan2_or_zero<R: Real>(y: R, x: R) -> R {
     let zero = x.same(0.0);
-    (x.equal(zero) & y.equal(zero)).select(zero, super::atan2(y, x))
+    (x.equal(zero) & y.equal(zero)).select(zero, y.atan2(x))
 }
 
 /// Floored modulo `x - d floor(x / d)`: in `0..d`, or `d..0` for a negative divisor, and so of the
@@ -67,15 +67,15 @@ pub fn atan2_or_zero<R: Real>(y: R, x: R) -> R {
 pub fn modulo_or_zero<R: Real>(x: R, divisor: R) -> R {
     let zero = x.same(0.0);
     let size = divisor.absolute();
-    let sign = super::sign_bit(divisor);
+    let negative = divisor.less(zero);
     // Mirrored so that the divisor is positive.
-    let x = super::flipped(x, sign);
+    let x = negative.select(-x, x);
     let rest = (x / size).floor().mul_add(-size, x);
     // The rounded quotient may be off by one.
     let rest = rest.less(zero).select(rest + size, rest);
     let rest = rest.greater_equal(size).select(rest - size, rest);
     let inside = rest.greater_equal(zero) & rest.less(size);
-    inside.select(super::flipped(rest, sign), zero)
+    inside.select(negative.select(-rest, rest), zero)
 }
 
 /// Integer quotient rounded down, and 0 where the divisor is zero. Exact for |n| up to 2^24.

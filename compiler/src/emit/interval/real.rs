@@ -3,7 +3,7 @@
 use super::arithmetic::bounds;
 use super::number::Made;
 use super::{Interval, Truth, Whole, derived, tag};
-use crate::emit::{Real, Select};
+use crate::emit::{Bits, Real, Select, standard_functions};
 
 impl Select<Truth> for Interval {
     fn select(mask: Truth, if_true: Self, if_false: Self) -> Self {
@@ -143,6 +143,10 @@ impl Real for Interval {
             false => Whole { low, high, reads: self.reads, identity },
         }
     }
+    standard_functions!();
+}
+
+impl Bits for Interval {
     fn to_bits(self) -> Whole {
         let bits = |x: f32| x.to_bits() as i32;
         let negative = |x: f32| x.is_sign_negative();
@@ -157,6 +161,9 @@ impl Real for Interval {
             true => Whole::constant(low),
             false => Whole { low, high, reads: self.reads, identity },
         }
+    }
+    fn from_bits(bits: Whole) -> Self {
+        Self::of_bits(bits)
     }
 }
 

@@ -211,7 +211,4 @@ impl Int for Whole {
             derived(const { tag("to real") }, &[self.identity]),
         )
     }
-    fn from_bits(self) -> Interval {
-        Interval::of_bits(self)
-    }
 }

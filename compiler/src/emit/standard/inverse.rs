@@ -1,7 +1,7 @@
 //! Inverse trigonometric functions.
 
 use super::{HALF_PI, flipped, polynomial, sign_bit};
-use crate::emit::{Int, Mask, Real};
+use crate::emit::{Bits, Int, Mask};
 
 /// `asin r = r + r³ P(r²)` for |r| <= 1/2.
 const ASIN: [f64; 5] = [0.166_667_52, 0.074_953_094, 0.045_469_154, 0.024_184_741, 0.042_158_4];
@@ -20,14 +20,14 @@ const ATAN: [f64; 9] = [
 
 /// The arc sine of |x|, or above 1/2 that of the square root of `(1 - |x|)/2`, which is half the
 /// angle to the axis; as `r + curve`.
-struct Half<R: Real> {
+struct Half<R: Bits> {
     above_half: R::Mask,
     r: R,
     curve: R,
 }
 
 #[inline(always)]
-fn half_angle<R: Real>(x: R) -> Half<R> {
+fn half_angle<R: Bits>(x: R) -> Half<R> {
     let a = x.absolute();
     let above_half = a.greater(a.same(0.5));
     let square = above_half.select((a.same(1.0) - a) * 0.5, a * a);
@@ -37,7 +37,7 @@ fn half_angle<R: Real>(x: R) -> Half<R> {
 
 /// Arc sine; NaN outside -1..=1.
 #[inline(always)]
-pub fn asin<R: Real>(x: R) -> R {
+pub fn asin<R: Bits>(x: R) -> R {
     let Half { above_half, r, curve } = half_angle(x);
     // pi/2 - 2 (r + curve), with what the first difference loses: the result may be smaller.
     let (quarter_turn, two_r) = (x.same(HALF_PI[0]), r + r);
@@ -49,7 +49,7 @@ pub fn asin<R: Real>(x: R) -> R {
 
 /// Arc cosine; NaN outside -1..=1.
 #[inline(always)]
-pub fn acos<R: Real>(x: R) -> R {
+pub fn acos<R: Bits>(x: R) -> R {
     let Half { above_half, r, curve } = half_angle(x);
     let angle = r + curve;
     let from_middle = x.same(HALF_PI[0]) - (flipped(angle, sign_bit(x)) - HALF_PI[1]);
@@ -61,7 +61,7 @@ pub fn acos<R: Real>(x: R) -> R {
 
 /// Arc tangent of `small / large`, neither negative, both not above `large`.
 #[inline(always)]
-fn first_octant<R: Real>(small: R, large: R) -> R {
+fn first_octant<R: Bits>(small: R, large: R) -> R {
     // Equal: 1 even where both are infinite, 0 where both are 0.
     let both = small.equal(small.same(0.0)).select(small, small.same(1.0));
     let r = small.equal(large).select(both, small / large);
@@ -71,7 +71,7 @@ fn first_octant<R: Real>(small: R, large: R) -> R {
 
 /// The angle in 0..=pi/2 of a point in the first quarter.
 #[inline(always)]
-fn first_quarter<R: Real>(y: R, x: R) -> R {
+fn first_quarter<R: Bits>(y: R, x: R) -> R {
     let steep = y.greater(x);
     let angle = first_octant(steep.select(x, y), steep.select(y, x));
     steep.select((y.same(HALF_PI[0]) - angle) + HALF_PI[1], angle)
@@ -79,13 +79,13 @@ fn first_quarter<R: Real>(y: R, x: R) -> R {
 
 /// Arc tangent.
 #[inline(always)]
-pub fn atan<R: Real>(x: R) -> R {
+pub fn atan<R: Bits>(x: R) -> R {
     flipped(first_quarter(x.absolute(), x.same(1.0)), sign_bit(x))
 }
 
 /// The angle of the point (x, y), in -pi..=pi, with the signs of zeros counting as in IEEE 754.
 #[inline(always)]
-pub fn atan2<R: Real>(y: R, x: R) -> R {
+pub fn atan2<R: Bits>(y: R, x: R) -> R {
     let angle = first_quarter(y.absolute(), x.absolute());
     let opposite = (x.same(2.0 * HALF_PI[0]) - angle) + 2.0 * HALF_PI[1];
     let bits = x.to_bits();

@@ -5,7 +5,7 @@
 //! neighbouring numbers are 1/32 radian apart and more, and the angle counts as 0, infinities too.
 
 use super::{HALF_PI, flipped, polynomial, sign_bit};
-use crate::emit::{Int, Mask, Real};
+use crate::emit::{Bits, Int, Mask};
 
 /// Largest |x| whose sine, cosine and tangent are computed: 2^18.
 pub const LARGEST_ANGLE: f64 = 262_144.0;
@@ -27,20 +27,20 @@ const TAN: [f64; 7] = [
 ];
 
 /// `|x| = quarter pi/2 + rest`.
-struct Angle<R: Real> {
+struct Angle<R: Bits> {
     quarter: R::Int,
     rest: R,
 }
 
 /// `|x|`, and 0 beyond the largest angle; NaN stays.
 #[inline(always)]
-fn magnitude<R: Real>(x: R) -> R {
+fn magnitude<R: Bits>(x: R) -> R {
     let a = x.absolute();
     a.greater(a.same(LARGEST_ANGLE)).select(a.same(0.0), a)
 }
 
 #[inline(always)]
-fn reduced<R: Real>(x: R) -> Angle<R> {
+fn reduced<R: Bits>(x: R) -> Angle<R> {
     let a = magnitude(x);
     let n = (a * std::f64::consts::FRAC_2_PI).round_even();
     // Exact: a whole multiple of 2^-23 (or of the last bit of a) below 1.
@@ -50,13 +50,13 @@ fn reduced<R: Real>(x: R) -> Angle<R> {
 }
 
 #[inline(always)]
-fn sine_of_rest<R: Real>(r: R) -> R {
+fn sine_of_rest<R: Bits>(r: R) -> R {
     let square = r * r;
     (square * r).mul_add(polynomial(square, SIN), r)
 }
 
 #[inline(always)]
-fn cosine_of_rest<R: Real>(r: R) -> R {
+fn cosine_of_rest<R: Bits>(r: R) -> R {
     let square = r * r;
     let curve = square.mul_add(polynomial(square, COS), r.same(-0.5));
     square.mul_add(curve, r.same(1.0))
@@ -75,7 +75,7 @@ fn second_half<I: Int>(n: I) -> I {
 
 /// Sine and cosine of `x` in radians.
 #[inline(always)]
-pub fn sin_cos<R: Real>(x: R) -> (R, R) {
+pub fn sin_cos<R: Bits>(x: R) -> (R, R) {
     let Angle { quarter, rest } = reduced(x);
     let (s, c) = (sine_of_rest(rest), cosine_of_rest(rest));
     let swap = odd(quarter);
@@ -86,19 +86,19 @@ pub fn sin_cos<R: Real>(x: R) -> (R, R) {
 
 /// Sine of `x` in radians.
 #[inline(always)]
-pub fn sin<R: Real>(x: R) -> R {
+pub fn sin<R: Bits>(x: R) -> R {
     sin_cos(x).0
 }
 
 /// Cosine of `x` in radians.
 #[inline(always)]
-pub fn cos<R: Real>(x: R) -> R {
+pub fn cos<R: Bits>(x: R) -> R {
     sin_cos(x).1
 }
 
 /// Tangent of `x` in radians.
 #[inline(always)]
-pub fn tan<R: Real>(x: R) -> R {
+pub fn tan<R: Bits>(x: R) -> R {
     let a = magnitude(x);
     let n = (a * std::f64::consts::FRAC_2_PI).round_even();
     let exact = n.mul_add(a.same(-HALF_PI[0]), a);

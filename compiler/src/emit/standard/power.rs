@@ -2,7 +2,7 @@
 
 use super::logarithm::{Parts, parts};
 use super::{exponential, flipped, polynomial, sign_bit};
-use crate::emit::{Int, Mask, Real};
+use crate::emit::{Bits, Int, Mask};
 
 /// 2 / ln 2 in two parts.
 const TWO_LOG2_E: [f64; 2] = [2.885_39, 3.851_926e-8];
@@ -13,21 +13,21 @@ const Q: [f64; 3] = [0.577_078_2, 0.412_066_94, 0.332_495_96];
 
 /// `a + b` for |a| >= |b| or a = 0, and what that sum lost.
 #[inline(always)]
-fn sum<R: Real>(a: R, b: R) -> (R, R) {
+fn sum<R: Bits>(a: R, b: R) -> (R, R) {
     let high = a + b;
     (high, (a - high) + b)
 }
 
 /// `a b`, and what that product lost.
 #[inline(always)]
-fn product<R: Real>(a: R, b: R) -> (R, R) {
+fn product<R: Bits>(a: R, b: R) -> (R, R) {
     let high = a * b;
     (high, a.mul_add(b, -high))
 }
 
 /// log2 of x above 0 as a sum of two numbers, good to about 2^-32 of its value.
 #[inline(always)]
-fn log2_in_two<R: Real>(x: R) -> (R, R) {
+fn log2_in_two<R: Bits>(x: R) -> (R, R) {
     let Parts { exponent, fraction: f } = parts(x);
     // s = f / (2 + f), with its remainder.
     let (divisor, divisor_low) = sum(f.same(2.0), f);
@@ -51,7 +51,7 @@ fn log2_in_two<R: Real>(x: R) -> (R, R) {
 
 /// `a^y` for a not negative; NaN for 0 or infinity to the power 0, and 1 to an infinite power.
 #[inline(always)]
-fn pow_of_magnitude<R: Real>(a: R, y: R) -> R {
+fn pow_of_magnitude<R: Bits>(a: R, y: R) -> R {
     let zero = a.same(0.0);
     let infinity = a.same(f64::INFINITY);
     let (high, low) = log2_in_two(a);
@@ -67,7 +67,7 @@ fn pow_of_magnitude<R: Real>(a: R, y: R) -> R {
 /// `x^y` as in IEEE 754: 1 for y = 0 and for x = 1, NaN for a negative finite x and a y that is not
 /// whole, infinite for zero to a negative power, with the sign of x for an odd whole y.
 #[inline(always)]
-pub fn pow<R: Real>(x: R, y: R) -> R {
+pub fn pow<R: Bits>(x: R, y: R) -> R {
     let (zero, one) = (x.same(0.0), x.same(1.0));
     let magnitude = pow_of_magnitude(x.absolute(), y);
     // |x| = 1: 1 to any power, infinite ones too, but NaN stays.

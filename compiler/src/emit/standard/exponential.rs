@@ -1,7 +1,7 @@
 //! Exponentials and hyperbolic functions.
 
 use super::{LN_2, LOG2_E, flipped, limited, polynomial, scaled, sign_bit};
-use crate::emit::{Int, Mask, Real};
+use crate::emit::{Bits, Int, Mask};
 
 /// `e^r = 1 + r + r² P(r)` for |r| <= ln 2 / 2.
 const EXP: [f64; 5] = [0.499_999_94, 0.166_665_17, 0.041_668_102, 0.008_369_182, 0.001_383_855_9];
@@ -18,7 +18,7 @@ const SINH: [f64; 4] = [0.166_666_67, 0.008_333_310_5, 0.000_198_428_96, 2.782_2
 
 /// Whole multiple `n` of ln 2 nearest to `x`, and the rest.
 #[inline(always)]
-fn reduced<R: Real>(x: R) -> (R, R) {
+fn reduced<R: Bits>(x: R) -> (R, R) {
     let n = (x * LOG2_E[0]).round_even();
     // The first step is exact: n ln2 has few bits beyond those that cancel.
     let rest = n.mul_add(x.same(-LN_2[0]), x);
@@ -27,7 +27,7 @@ fn reduced<R: Real>(x: R) -> (R, R) {
 
 /// `e^x 2^shift`, so that half of an e^x which overflows can be had.
 #[inline(always)]
-fn exp_shifted<R: Real>(x: R, shift: i32) -> R {
+fn exp_shifted<R: Bits>(x: R, shift: i32) -> R {
     let (n, r) = reduced(limited(x, -104.5, 90.0));
     let value = (r * r).mul_add(polynomial(r, EXP), r) + 1.0;
     let n = n.to_int();
@@ -36,13 +36,13 @@ fn exp_shifted<R: Real>(x: R, shift: i32) -> R {
 
 /// `e^x`.
 #[inline(always)]
-pub fn exp<R: Real>(x: R) -> R {
+pub fn exp<R: Bits>(x: R) -> R {
     exp_shifted(x, 0)
 }
 
 /// `2^x`.
 #[inline(always)]
-pub fn exp2<R: Real>(x: R) -> R {
+pub fn exp2<R: Bits>(x: R) -> R {
     let x = limited(x, -151.0, 129.0);
     let n = x.round_even();
     let r = x - n;
@@ -51,7 +51,7 @@ pub fn exp2<R: Real>(x: R) -> R {
 
 /// `2^(high + low)` for a low part far smaller.
 #[inline(always)]
-pub(super) fn exp2_of_sum<R: Real>(high: R, low: R) -> R {
+pub(super) fn exp2_of_sum<R: Bits>(high: R, low: R) -> R {
     let limit = 200.0;
     let small = high.absolute().less(high.same(limit));
     let high = limited(high, -limit, limit);
@@ -62,12 +62,12 @@ pub(super) fn exp2_of_sum<R: Real>(high: R, low: R) -> R {
 
 /// `e^x - 1`, accurate near 0.
 #[inline(always)]
-pub fn expm1<R: Real>(x: R) -> R {
+pub fn expm1<R: Bits>(x: R) -> R {
     let (n, r) = reduced(limited(x, -20.0, 89.0));
     let fraction = (r * r).mul_add(polynomial(r, EXPM1), r);
     let n = n.to_int();
     // Half of it, since 2^128 is no number: 2^n (fraction + 1) - 1.
-    let half = super::power_of_two(n - n.same(1));
+    let half: R = super::power_of_two(n - n.same(1));
     let whole = half.mul_add(fraction, half - 0.5) * 2.0;
     let value = n.equal(n.same(0)).select(fraction, whole);
     x.equal(x.same(0.0)).select(x, value)
@@ -75,7 +75,7 @@ pub fn expm1<R: Real>(x: R) -> R {
 
 /// Hyperbolic sine.
 #[inline(always)]
-pub fn sinh<R: Real>(x: R) -> R {
+pub fn sinh<R: Bits>(x: R) -> R {
     let a = x.absolute();
     let small = (a * (a * a)).mul_add(polynomial(a * a, SINH), a);
     let half = exp_shifted(a, -1);
@@ -85,14 +85,14 @@ pub fn sinh<R: Real>(x: R) -> R {
 
 /// Hyperbolic cosine.
 #[inline(always)]
-pub fn cosh<R: Real>(x: R) -> R {
+pub fn cosh<R: Bits>(x: R) -> R {
     let half = exp_shifted(x.absolute(), -1);
     half + half.same(0.25) / half
 }
 
 /// Hyperbolic tangent.
 #[inline(always)]
-pub fn tanh<R: Real>(x: R) -> R {
+pub fn tanh<R: Bits>(x: R) -> R {
     let a = x.absolute();
     let small = (a * (a * a)).mul_add(polynomial(a * a, TANH), a);
     let a = limited(a, 0.0, 20.0);
