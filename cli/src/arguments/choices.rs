@@ -70,6 +70,15 @@ pub enum Precision {
     Standard,
 }
 
+impl Precision {
+    /// Name in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Precision::Standard => "standard",
+        }
+    }
+}
+
 /// `--format` of commands that print values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Format {

@@ -1,5 +1,6 @@
 //! The program as its users run it: what it prints and how it ends.
 
+mod bench;
 mod check;
 mod compare;
 mod completions;

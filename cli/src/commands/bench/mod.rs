@@ -1,6 +1,11 @@
 //! `phenomenon bench`.
 
+mod contender;
 mod render;
+mod results;
+mod shade;
+mod statistics;
+mod workloads;
 
 use clap::{Args, Subcommand};
 
@@ -16,6 +21,7 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Question {
     Render(render::Arguments),
+    Shade(shade::Arguments),
 }
 
 /// Runs the command.
@@ -25,5 +31,6 @@ enum Question {
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     match &arguments.question {
         Question::Render(arguments) => render::run(arguments),
+        Question::Shade(arguments) => shade::run(arguments),
     }
 }

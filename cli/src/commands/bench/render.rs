@@ -1,20 +1,21 @@
 //! `phenomenon bench render`.
 
 use std::fmt::Write as _;
-use std::io::{BufReader, Read};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
-use clap::{Args, ValueEnum, ValueHint};
+use clap::{Args, ValueHint};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::render::{Settings, Statistics, render};
 use serde_json::{Value, json};
 
+use super::results::Results;
+use super::statistics::median;
 use crate::arguments::{self, EngineChoice, Precision, SimdChoice, Size};
 use crate::failure::{Failure, Outcome};
 use crate::graphs::EngineArguments;
 use crate::inputs;
-use crate::outputs::{self, Output};
+use crate::outputs;
 use crate::scenes::{self, Change, Picture};
 use crate::terminal;
 
@@ -74,13 +75,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             "give the path of a file instead of `-`",
         ));
     }
-    let output = arguments.output.as_ref().map(|folder| folder.join("render.json"));
-    let output = output.as_deref().map(|path| Output { flag: "-o", path });
-    if let Some(output) = output {
-        make_folder(output.path.parent().unwrap_or(Path::new("")))?;
-        output.require_writable()?;
-        require_replaceable(output.path)?;
-    }
+    let folder = arguments.output.as_deref();
+    let results = folder.map(|folder| Results::new(folder, "render")).transpose()?;
     let library = Arc::new(NodeLibrary::standard());
     let mut contenders = Vec::new();
     for engine in ENGINES {
@@ -95,11 +91,12 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Ok(picture) => contenders.push(Contender { engine, picture, runs: Vec::new() }),
             // Not every graph is written by hand, and not every machine has the jit.
             Err(failure) if !contenders.is_empty() => {
-                terminal::tell(&format!("without {}: {failure}", name(engine)));
+                terminal::tell(&format!("without {}: {failure}", engine.name()));
             }
             Err(failure) => return Err(failure),
         }
     }
+    let output = results.as_ref().map(Results::output);
     outputs::require_apart(output.as_slice())?;
     let bar = terminal::progress("renderings", false);
     bar.set_length(u64::from(arguments.runs) * contenders.len() as u64);
@@ -114,8 +111,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     bar.finish_and_clear();
     terminal::print(&table(arguments, &contenders))?;
-    if let Some(output) = output {
-        output.write(rows(arguments, &contenders))?;
+    if let Some(results) = results {
+        results.write(&rows(arguments, &contenders))?;
     }
     Ok(Outcome::Fine)
 }
@@ -132,16 +129,6 @@ fn settings(arguments: &Arguments, picture: &Picture) -> Settings {
     }
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let middle = values.len() / 2;
-    if values.len() % 2 == 1 {
-        values[middle]
-    } else {
-        f64::midpoint(values[middle - 1], values[middle])
-    }
-}
-
 fn whole(run: &Statistics) -> f64 {
     run.whole_milliseconds
 }
@@ -152,10 +139,9 @@ fn shading(run: &Statistics) -> f64 {
 
 /// The median of one figure, and of its ratio to the baseline's in the same turn.
 fn figure(of: &Contender, baseline: &Contender, figure: fn(&Statistics) -> f64) -> (f64, f64) {
-    let values = of.runs.iter().map(figure).collect();
     let turns = of.runs.iter().zip(&baseline.runs);
-    let ratios = turns.map(|(run, base)| figure(run) / figure(base)).collect();
-    (median(values), median(ratios))
+    let ratios = turns.map(|(run, base)| figure(run) / figure(base));
+    (median(of.runs.iter().map(figure)), median(ratios))
 }
 
 fn rays(of: &Contender) -> u64 {
@@ -163,10 +149,6 @@ fn rays(of: &Contender) -> u64 {
         let rays = &run.rays;
         rays.eye + rays.reflection + rays.refraction + rays.transparent + rays.probe + rays.shadow
     })
-}
-
-fn name(engine: EngineChoice) -> String {
-    engine.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
 fn table(arguments: &Arguments, contenders: &[Contender]) -> String {
@@ -190,69 +172,26 @@ fn table(arguments: &Arguments, contenders: &[Contender]) -> String {
         let _ = writeln!(
             text,
             "| {} | {shading:.0} | {shading_ratio:.2} | {whole:.0} | {whole_ratio:.2} | {} |",
-            name(of.engine),
+            of.engine.name(),
             rays(of),
         );
     }
     text
 }
 
-/// Makes a folder for results, unless there is one.
-fn make_folder(folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| {
-        Failure::new(format!("-o {}: {error}", folder.display()), "name another folder")
-    })
-}
-
-/// Fails where something is under the name that is no result of an earlier run: the name was not
-/// chosen, so it must not cost anybody a graph that is called so.
-fn require_replaceable(path: &Path) -> Result<(), Failure> {
-    let is_result = |value: &Value| {
-        let keys = value.as_object().map(|object| object.keys().map(String::as_str).collect());
-        keys == Some(vec!["version", "rows"]) && value["rows"].is_array()
-    };
-    // A pipe must not be opened; that it cannot be written is said before.
-    if !path.is_file() {
-        return Ok(());
-    }
-    let read = std::fs::File::open(path)
-        .map(|file| serde_json::from_reader::<_, Value>(BufReader::new(file.take(LARGEST_RESULT))));
-    if matches!(read, Ok(Ok(value)) if is_result(&value)) {
-        return Ok(());
-    }
-    let message = format!("-o {} exists, and is no result of `bench render`", path.display());
-    Err(Failure::new(message, "name another folder with -o"))
-}
-
-/// Bytes; a result has some hundred.
-const LARGEST_RESULT: u64 = 1 << 20;
-
-/// `{"version":1,"rows":[…]}`
-fn rows(arguments: &Arguments, contenders: &[Contender]) -> String {
+fn rows(arguments: &Arguments, contenders: &[Contender]) -> Vec<Value> {
     let material = arguments.file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    let rows: Vec<_> = contenders
+    contenders
         .iter()
         .map(|of| {
             json!({
                 "material": material,
-                "engine": name(of.engine),
+                "engine": of.engine.name(),
                 "threads": of.runs.last().map_or(0, |run| run.threads),
                 "whole_ms": figure(of, &contenders[0], whole).0,
                 "shading_ms": figure(of, &contenders[0], shading).0,
                 "rays": rays(of),
             })
         })
-        .collect();
-    format!("{:#}\n", json!({ "version": 1, "rows": rows }))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::median;
-
-    #[test]
-    fn medians_lie_in_the_middle() {
-        assert_eq!(median(vec![3.0, 1.0, 9.0]), 3.0);
-        assert_eq!(median(vec![4.0, 1.0, 2.0, 9.0]), 3.0);
-    }
+        .collect()
 }

@@ -1,6 +1,6 @@
 //! `phenomenon eval`.
 
-mod empty_scene;
+pub mod empty_scene;
 mod state_fields;
 mod values;
 

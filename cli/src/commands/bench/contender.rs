@@ -1,0 +1,121 @@
+//! One engine at one workload, and the clock.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use std::time::Duration;
+
+use cpu_time::ThreadTime;
+use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
+use phenomenon_compiler::graph::{Graph, RootKind};
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::state::State;
+
+use super::statistics::{median, spread};
+use super::workloads::states;
+use crate::arguments::EngineChoice;
+use crate::commands::eval::empty_scene::EmptyScene;
+use crate::failure::Failure;
+
+/// How long a turn takes: long beside the clock's steps, short beside the minutes of a machine.
+const TURN: Duration = Duration::from_millis(10);
+
+/// What is shaded, and where the results go.
+pub struct Points {
+    states: Vec<State>,
+    results: Vec<Shaded>,
+    scene: EmptyScene,
+}
+
+impl Points {
+    /// The points of every workload.
+    ///
+    /// # Errors
+    /// None: there is no texture that could not be opened.
+    pub fn new() -> Result<Self, Failure> {
+        let states = states();
+        let scene = EmptyScene::new(&BTreeSet::new()).map_err(|error| Failure::new(error, ""))?;
+        Ok(Self { results: vec![Shaded::default(); states.len()], states, scene })
+    }
+
+    /// Shades all of them once.
+    fn shade(&mut self, shader: &dyn Shade, batch: usize) {
+        for (points, results) in self.states.chunks(batch).zip(self.results.chunks_mut(batch)) {
+            shader.shade(RootKind::Material, points, &mut self.scene, results);
+        }
+    }
+}
+
+/// A graph ready to be shaded in calls of that many points.
+///
+/// # Errors
+/// The engine does not run here.
+pub fn compiled(
+    graph: &Arc<Graph>,
+    library: &Arc<NodeLibrary>,
+    engine: Engine,
+    batch: usize,
+) -> Result<Box<dyn Shade>, Failure> {
+    let options = Options { engine, batch, ..Options::default() };
+    let shader = Shader::new(Arc::clone(graph), Arc::clone(library), &[], options);
+    shader.map(|shader| Box::new(shader) as Box<dyn Shade>).map_err(|error| Failure::new(error, ""))
+}
+
+/// One of those that are compared.
+pub struct Contender {
+    /// What it runs on.
+    pub engine: EngineChoice,
+    shader: Box<dyn Shade>,
+    /// Passes over all points in a turn.
+    passes: u32,
+    /// Nanoseconds a point, turn by turn.
+    turns: Vec<f64>,
+}
+
+impl Contender {
+    /// Runs it until it is warm, which says how many passes a turn has.
+    pub fn new(
+        engine: EngineChoice,
+        shader: Box<dyn Shade>,
+        batch: usize,
+        points: &mut Points,
+    ) -> Self {
+        // Codes of all ray types are made, and memory is taken.
+        points.shade(shader.as_ref(), batch);
+        let start = ThreadTime::now();
+        let mut passes = 0;
+        // Where the clock does not move, a turn is some 10,000 passes and not endless.
+        while start.elapsed() < TURN && passes < MOST_PASSES {
+            points.shade(shader.as_ref(), batch);
+            passes += 1;
+        }
+        Self { engine, shader, passes, turns: Vec::new() }
+    }
+
+    /// Measures it once.
+    pub fn take_turn(&mut self, batch: usize, points: &mut Points) {
+        let start = ThreadTime::now();
+        for _ in 0..self.passes {
+            points.shade(self.shader.as_ref(), batch);
+        }
+        let shaded = f64::from(self.passes) * points.states.len() as f64;
+        self.turns.push(start.elapsed().as_secs_f64() * 1e9 / shaded);
+    }
+
+    /// Nanoseconds a point: the median of all turns.
+    pub fn nanoseconds(&self) -> f64 {
+        median(self.turns.iter().copied())
+    }
+
+    /// How far the turns lie apart, as a share of the median.
+    pub fn spread(&self) -> f64 {
+        spread(self.turns.iter().copied())
+    }
+
+    /// The median of the ratios to what another took in the same turn.
+    pub fn ratio(&self, to: &Self) -> f64 {
+        median(self.turns.iter().zip(&to.turns).map(|(own, other)| own / other))
+    }
+}
+
+/// Most passes of a turn.
+const MOST_PASSES: u32 = 10_000;

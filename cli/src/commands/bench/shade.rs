@@ -1,0 +1,164 @@
+//! `phenomenon bench shade`.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::{Args, ValueHint};
+use phenomenon_compiler::engine::Engine;
+use phenomenon_compiler::nodes::NodeLibrary;
+use serde_json::{Value, json};
+
+use super::contender::{Contender, Points, compiled};
+use super::results::Results;
+use super::workloads::{STATES, Workload};
+use crate::arguments::{self, EngineChoice, Precision};
+use crate::failure::{Failure, Outcome};
+use crate::terminal;
+
+/// Shade the points of four workloads with every engine in turn and print the medians.
+#[derive(Debug, Args)]
+#[command(after_help = NOTES)]
+pub struct Arguments {
+    /// Measure this workload only; may be repeated
+    #[arg(long, value_enum, value_name = "NAME")]
+    workload: Vec<Workload>,
+
+    /// Turns of each engine; the median is printed
+    #[arg(long, value_name = "N", default_value = "9", value_parser = arguments::runs)]
+    runs: u8,
+
+    /// Write the rows to shade.json in this folder
+    #[arg(short, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    output: Option<PathBuf>,
+}
+
+const NOTES: &str = "\
+A workload is a graph that asks nothing of a renderer, shaded at 1024 points in calls of 1, 16 and 256.
+The monolith is the same by hand: scalar Rust with the functions of its standard library. What is
+measured is CPU time of one thread, after everything is compiled and has run once. Engines take turns of
+some 10 ms, so that a slow minute of the machine touches all of them. Ratios are medians of the ratios
+of one turn, at the same number of points a call. \"spread\" is the distance between the quartiles of all
+turns, over their median.";
+
+/// Points of one call.
+const BATCHES: [usize; 3] = [1, 16, 256];
+
+const ENGINES: [EngineChoice; 4] =
+    [EngineChoice::Walk, EngineChoice::Batch, EngineChoice::Jit, EngineChoice::Monolith];
+
+/// All that shade one workload in calls of one number of points.
+struct Race {
+    workload: Workload,
+    batch: usize,
+    contenders: Vec<Contender>,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// A folder that cannot be written.
+pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let folder = arguments.output.as_deref();
+    let results = folder.map(|folder| Results::new(folder, "shade")).transpose()?;
+    let library = Arc::new(NodeLibrary::standard());
+    let engines = engines(&library)?;
+    let mut points = Points::new()?;
+    let mut races = Vec::new();
+    for workload in Workload::ALL {
+        if arguments.workload.is_empty() || arguments.workload.contains(&workload) {
+            for batch in BATCHES {
+                races.push(race(workload, batch, &engines, &library, &mut points)?);
+            }
+        }
+    }
+    let bar = terminal::progress("turns", false);
+    bar.set_length(u64::from(arguments.runs) * races.len() as u64);
+    for _ in 0..arguments.runs {
+        for race in &mut races {
+            for contender in &mut race.contenders {
+                contender.take_turn(race.batch, &mut points);
+            }
+            bar.inc(1);
+        }
+    }
+    bar.finish_and_clear();
+    terminal::print(&table(arguments.runs, &races))?;
+    if let Some(results) = results {
+        results.write(&rows(&races))?;
+    }
+    Ok(Outcome::Fine)
+}
+
+/// The engines that run here: not every machine has the jit.
+fn engines(library: &Arc<NodeLibrary>) -> Result<Vec<EngineChoice>, Failure> {
+    let graph = Arc::new(Workload::Ten.graph(library)?);
+    let mut engines = ENGINES.to_vec();
+    if let Err(failure) = compiled(&graph, library, Engine::Jit, 1) {
+        terminal::tell(&format!("without jit: {failure}"));
+        engines.retain(|engine| *engine != EngineChoice::Jit);
+    }
+    Ok(engines)
+}
+
+fn race(
+    workload: Workload,
+    batch: usize,
+    engines: &[EngineChoice],
+    library: &Arc<NodeLibrary>,
+    points: &mut Points,
+) -> Result<Race, Failure> {
+    let graph = Arc::new(workload.graph(library)?);
+    let mut contenders = Vec::new();
+    for &engine in engines {
+        let shader = match engine.compiled() {
+            Some(engine) => compiled(&graph, library, engine, batch)?,
+            None => workload.by_hand(),
+        };
+        contenders.push(Contender::new(engine, shader, batch, points));
+    }
+    Ok(Race { workload, batch, contenders })
+}
+
+fn table(runs: u8, races: &[Race]) -> String {
+    let mut text = format!(
+        "ns a point, CPU time of one thread, {STATES} points, median of {runs} turns\n\n\
+         | workload | points a call | engine | ns | spread | to batch | to walk |\n\
+         | --- | ---: | --- | ---: | ---: | ---: | ---: |\n",
+    );
+    for race in races {
+        let to = |of: &Contender, engine: EngineChoice| {
+            let base = race.contenders.iter().find(|contender| contender.engine == engine);
+            base.map_or_else(String::new, |base| format!("{:.2}", of.ratio(base)))
+        };
+        for of in &race.contenders {
+            // Writing to a string cannot fail.
+            let _ = writeln!(
+                text,
+                "| {} | {} | {} | {:.1} | {:.3} | {} | {} |",
+                race.workload.name(),
+                race.batch,
+                of.engine.name(),
+                of.nanoseconds(),
+                of.spread(),
+                to(of, EngineChoice::Batch),
+                to(of, EngineChoice::Walk),
+            );
+        }
+    }
+    text
+}
+
+fn rows(races: &[Race]) -> Vec<Value> {
+    let row = |race: &Race, of: &Contender| {
+        json!({
+            "workload": race.workload.name(),
+            "batch": race.batch,
+            "engine": of.engine.name(),
+            "precision": Precision::default().name(),
+            "ns_per_point": of.nanoseconds(),
+            "spread": of.spread(),
+        })
+    };
+    races.iter().flat_map(|race| race.contenders.iter().map(|of| row(race, of))).collect()
+}

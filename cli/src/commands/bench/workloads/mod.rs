@@ -1,0 +1,13 @@
+//! What `bench shade` shades: graphs of four kinds, each written by hand as well, and the points.
+
+mod blending;
+mod branchy;
+mod by_hand;
+mod light;
+mod mixed;
+mod states;
+mod ten;
+mod workload;
+
+pub use states::{STATES, states};
+pub use workload::Workload;

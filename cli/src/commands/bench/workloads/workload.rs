@@ -1,0 +1,131 @@
+//! The workloads by name.
+
+use clap::ValueEnum;
+use phenomenon_compiler::check::check_graph;
+use phenomenon_compiler::document::read;
+use phenomenon_compiler::engine::Shade;
+use phenomenon_compiler::graph::Graph;
+use phenomenon_compiler::nodes::NodeLibrary;
+
+use super::by_hand::ByHand;
+use super::{branchy, light, mixed, ten};
+use crate::failure::Failure;
+
+/// A graph that asks nothing of the renderer, and what a programmer would write instead of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Workload {
+    /// Some ten simple nodes
+    Ten,
+    /// 160 light nodes: sums, products, blends
+    Light,
+    /// A hundred nodes, many of them heavy: sines, powers, hues, directions
+    Mixed,
+    /// Four choices by the state, with heavy nodes on both sides of each
+    Branchy,
+}
+
+impl Workload {
+    /// All of them, the lightest first.
+    pub const ALL: [Self; 4] = [Self::Ten, Self::Light, Self::Mixed, Self::Branchy];
+
+    /// Name on the command line and in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ten => "ten",
+            Self::Light => "light",
+            Self::Mixed => "mixed",
+            Self::Branchy => "branchy",
+        }
+    }
+
+    /// The graph.
+    ///
+    /// # Errors
+    /// It does not suit this library: a mistake of ours.
+    pub fn graph(self, library: &NodeLibrary) -> Result<Graph, Failure> {
+        let name = format!("{}.json", self.name());
+        let checked = read(&name, self.text().as_bytes()).map(|it| check_graph(&it, library));
+        let graph = checked.ok().and_then(|checked| checked.graph);
+        graph.ok_or_else(|| Failure::new(format!("the workload {name} cannot be used"), ""))
+    }
+
+    /// The graph's file.
+    fn text(self) -> &'static str {
+        match self {
+            Self::Ten => include_str!("ten.json"),
+            Self::Light => include_str!("light.json"),
+            Self::Mixed => include_str!("mixed.json"),
+            Self::Branchy => include_str!("branchy.json"),
+        }
+    }
+
+    /// The same by hand: scalar Rust with the functions of std and glam, as a compiler's default target
+    /// has them.
+    pub fn by_hand(self) -> Box<dyn Shade> {
+        match self {
+            Self::Ten => Box::new(ByHand(ten::shade)),
+            Self::Light => Box::new(ByHand(light::shade)),
+            Self::Mixed => Box::new(ByHand(mixed::shade)),
+            Self::Branchy => Box::new(ByHand(branchy::shade)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use phenomenon_compiler::engine::{Engine, Options, Shaded, Shader};
+    use phenomenon_compiler::graph::RootKind;
+
+    use super::*;
+    use crate::commands::bench::workloads::states;
+    use crate::commands::eval::empty_scene::EmptyScene;
+
+    fn colors(shader: &dyn Shade, batch: usize) -> Vec<[f32; 4]> {
+        let states = states();
+        let mut scene = EmptyScene::new(&shader.textures()).unwrap();
+        let mut results = vec![Shaded::default(); states.len()];
+        for (points, results) in states.chunks(batch).zip(results.chunks_mut(batch)) {
+            shader.shade(RootKind::Material, points, &mut scene, results);
+        }
+        assert!(results.iter().all(|result| result.ok));
+        results.into_iter().map(|result| result.color).collect()
+    }
+
+    #[test]
+    fn workloads_have_no_findings_and_the_nodes_they_promise() {
+        let library = NodeLibrary::standard();
+        let nodes = Workload::ALL.map(|workload| {
+            let document = read(workload.name(), workload.text().as_bytes()).unwrap();
+            let checked = check_graph(&document, &library);
+            assert!(checked.findings.is_empty(), "{:?}", checked.findings);
+            let graph = checked.graph.unwrap();
+            assert_eq!(graph.name, workload.name());
+            graph.nodes.len()
+        });
+        assert_eq!(nodes, [19, 162, 97, 112]);
+    }
+
+    #[test]
+    fn what_is_written_by_hand_computes_the_same() {
+        let library = Arc::new(NodeLibrary::standard());
+        for workload in Workload::ALL {
+            let graph = Arc::new(workload.graph(&library).unwrap());
+            let options = Options { engine: Engine::Walk, ..Options::default() };
+            let shader = Shader::new(graph, Arc::clone(&library), &[], options).unwrap();
+            let (walk, by_hand) = (colors(&shader, 256), colors(workload.by_hand().as_ref(), 16));
+            for (point, (a, b)) in walk.iter().zip(&by_hand).enumerate() {
+                for (x, y) in a.iter().zip(b) {
+                    let apart = (x - y).abs();
+                    let near = apart <= 1e-4 * x.abs();
+                    assert!(near, "{} at point {point}: {a:?} {b:?}", workload.name());
+                }
+            }
+            // No constant is measured.
+            let different: std::collections::HashSet<_> =
+                walk.iter().map(|color| color.map(f32::to_bits)).collect();
+            assert!(different.len() > walk.len() * 9 / 10, "{}", different.len());
+        }
+    }
+}
