@@ -32,22 +32,13 @@ pub struct Definition {
 pub struct NodeType(pub usize);
 
 /// The node types graphs can use.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct NodeLibrary {
     definitions: Vec<Definition>,
     by_name: HashMap<&'static str, NodeType>,
 }
 
 impl NodeLibrary {
-    /// The nodes of this crate.
-    pub fn standard() -> Self {
-        let mut library = Self { definitions: Vec::new(), by_name: HashMap::new() };
-        for definition in super::definitions() {
-            library.add(definition);
-        }
-        library
-    }
-
     /// Adds a node type, or replaces the one of the same name.
     pub fn add(&mut self, definition: Definition) {
         let name = definition.signature.name;

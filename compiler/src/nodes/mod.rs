@@ -16,6 +16,7 @@ mod library;
 mod light_reads;
 pub mod reference;
 mod signature;
+mod standard;
 
 pub use library::{Definition, NodeLibrary, NodeType, Overload, paragraph};
 pub use light_reads::{is_of_light, reads_light};

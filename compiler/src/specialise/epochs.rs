@@ -1,12 +1,9 @@
 //! Epochs: the stretches of time over which a node has one value.
 
 use super::keys::{PATH_KEY, path_key};
-use super::{FieldSet, InstanceId};
+use super::{EpochId, FieldSet, InstanceId};
 use crate::state::Field;
 use crate::storage::Source;
-
-/// Position in [`Epochs`].
-pub type EpochId = usize;
 
 /// Most names of a path that are shown.
 const SHOWN_NAMES: usize = 8;

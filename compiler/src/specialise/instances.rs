@@ -6,10 +6,7 @@ use crate::state::Field;
 use crate::storage::Source;
 use crate::values::Texture;
 
-use super::{EpochId, Epochs, Uniforms};
-
-/// Position in [`Specialised::instances`]; what an instance demands has a lower one.
-pub type InstanceId = usize;
+use super::{EpochId, Epochs, InstanceId, Uniforms};
 
 /// One evaluation of a node: at most once per point and pass through its epoch.
 #[derive(Clone, Debug)]

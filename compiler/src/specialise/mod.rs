@@ -4,6 +4,7 @@
 mod epochs;
 mod error;
 mod expand;
+mod ids;
 mod instances;
 pub mod internal;
 mod keys;
@@ -11,12 +12,11 @@ mod reads;
 mod uniforms;
 mod views;
 
-pub use epochs::{Epoch, EpochId, EpochKind, Epochs};
+pub use epochs::{Epoch, EpochKind, Epochs};
 pub use error::SpecialiseError;
 pub use expand::{MAX_INSTANCES, MAX_NESTED_LOOPS, expand};
-pub use instances::{
-    Context, Demand, Guard, Instance, InstanceId, InstanceKind, LightTable, Specialised,
-};
+pub use ids::{EpochId, InstanceId};
+pub use instances::{Context, Demand, Guard, Instance, InstanceKind, LightTable, Specialised};
 pub use keys::mix_key;
 pub use reads::FieldSet;
 pub use uniforms::Uniforms;
