@@ -7,11 +7,16 @@
 
 mod brackets;
 mod characters;
+mod corrections;
+mod elements;
 mod grammar;
 mod lexer;
+mod matching;
+mod members;
 mod mistake;
 mod quotes;
 mod scan;
+mod standing;
 mod strings;
 mod tokens;
 mod words;
