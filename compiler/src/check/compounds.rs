@@ -22,89 +22,119 @@ pub(super) fn spread<'d>(
     shape: &Shape,
     (value, name): (&'d Value, &str),
     what: &str,
-    parts: &mut Vec<(String, Source<'d>)>,
-) {
-    if let Shape::One(_) = shape {
-        parts.push((name.to_owned(), sources::read(reader, value, draft)));
-        return;
-    }
-    let broken = (name.to_owned(), Source { value, kind: SourceKind::Broken });
-    if value.get("interface").is_some() {
-        let source = sources::read(reader, value, draft);
-        match source.kind {
-            SourceKind::Compound(at) if draft.compounds[at].1.fits(shape) => {
-                let from = &draft.compounds[at].0;
-                let wanted = shape.parts(name);
-                if !take(reader, draft, value, wanted.len()) {
-                    parts.push(broken);
-                    return;
+) -> Vec<(String, Source<'d>)> {
+    let mut spread = Spread { reader, draft, what, parts: Vec::new() };
+    spread.read(shape, value, name);
+    spread.parts
+}
+
+/// What is given for an array or a struct, as it is taken apart.
+struct Spread<'s, 'd> {
+    reader: &'s mut Reader<'d>,
+    draft: &'s Draft<'d>,
+    what: &'s str,
+    parts: Vec<(String, Source<'d>)>,
+}
+
+impl<'d> Spread<'_, 'd> {
+    fn read(&mut self, shape: &Shape, value: &'d Value, name: &str) {
+        if let Shape::One(_) = shape {
+            let source = sources::read(self.reader, value, self.draft);
+            self.parts.push((name.to_owned(), source));
+            return;
+        }
+        if value.get("interface").is_some() {
+            return self.connected(shape, value, name);
+        }
+        match (shape, &value.kind, struct_literal(value)) {
+            (Shape::Array(elements), ValueKind::Array(given), _) => {
+                if elements.len() != given.len() {
+                    return self.wrong_length(shape, value, given.len(), name);
                 }
+                for (at, (element, given)) in elements.iter().zip(given).enumerate() {
+                    self.read(element, given, &element_name(name, at));
+                }
+            }
+            (Shape::Struct(members), _, Some(given)) => self.members(members, value, given, name),
+            _ => {
+                mismatch(self.reader, value, shape, self.what, &value.describe());
+                self.broken(value, name);
+            }
+        }
+    }
+
+    /// Something is wrong, and told: nothing more is said of it.
+    fn broken(&mut self, value: &'d Value, name: &str) {
+        self.parts.push((name.to_owned(), Source { value, kind: SourceKind::Broken }));
+    }
+
+    fn wrong_length(&mut self, shape: &Shape, value: &'d Value, given: usize, name: &str) {
+        let (what, shape) = (self.what, shape.describe());
+        let message = format!("{what} takes {shape}, but {given} values are given");
+        let help = "an array has the length its default has; give as many values";
+        self.reader.report(Code::WRONG_LENGTH, value, message, help);
+        self.broken(value, name);
+    }
+
+    /// An array or a struct of the interface that is handed on.
+    fn connected(&mut self, shape: &Shape, value: &'d Value, name: &str) {
+        let draft = self.draft;
+        match sources::read(self.reader, value, draft).kind {
+            SourceKind::Compound(at) if draft.compounds[at].1.fits(shape) => {
+                let wanted = shape.parts(name);
+                if !take(self.reader, draft, value, wanted.len()) {
+                    return self.broken(value, name);
+                }
+                let from = &draft.compounds[at].0;
                 // Both have the same parts, if in another order: what follows their names agrees.
                 for (to, _) in wanted {
                     let kind = draft.parameter_names.get(&format!("{from}{}", &to[name.len()..]));
                     let kind = kind.map_or(SourceKind::Broken, |at| SourceKind::Parameter(*at));
-                    parts.push((to, Source { value, kind }));
+                    self.parts.push((to, Source { value, kind }));
                 }
                 return;
             }
-            SourceKind::Compound(at) => {
-                let given = &draft.compounds[at].1;
-                match given.difference(shape, "") {
-                    // Where the whole differs, that says it best.
-                    Some(difference) if !difference.starts_with("it must") => {
-                        let message = format!("{what} takes other parts: {difference}");
-                        let help = "declare the same parts, of types that convert";
-                        reader.report(Code::TYPE_MISMATCH, value, message, help);
-                    }
-                    _ => mismatch(reader, value, shape, what, &given.describe()),
-                }
-            }
+            SourceKind::Compound(at) => self.other_parts(shape, value, &draft.compounds[at].1),
             SourceKind::Parameter(at) => {
                 if let Some(value_type) = draft.parameters[at].value_type {
-                    mismatch(reader, value, shape, what, &with_article(value_type));
+                    mismatch(self.reader, value, shape, self.what, &with_article(value_type));
                 }
             }
             _ => {}
         }
-        parts.push(broken);
-        return;
+        self.broken(value, name);
     }
-    match (shape, &value.kind, struct_literal(value)) {
-        (Shape::Array(elements), ValueKind::Array(given), _) => {
-            if elements.len() != given.len() {
-                let message = format!(
-                    "{what} takes {}, but {} values are given",
-                    shape.describe(),
-                    given.len()
-                );
-                let help = "an array has the length its default has; give as many values";
-                reader.report(Code::WRONG_LENGTH, value, message, help);
-                parts.push(broken);
-                return;
+
+    fn other_parts(&mut self, shape: &Shape, value: &Value, given: &Shape) {
+        match given.difference(shape, "") {
+            // Where the whole differs, that says it best.
+            Some(difference) if !difference.starts_with("it must") => {
+                let message = format!("{} takes other parts: {difference}", self.what);
+                let help = "declare the same parts, of types that convert";
+                self.reader.report(Code::TYPE_MISMATCH, value, message, help);
             }
-            for (at, (element, given)) in elements.iter().zip(given).enumerate() {
-                let name = element_name(name, at);
-                spread(reader, draft, element, (given, &name), what, parts);
-            }
+            _ => mismatch(self.reader, value, shape, self.what, &given.describe()),
         }
-        (Shape::Struct(members), _, Some(given)) => {
-            reader.object(value, "a struct", &["struct"]);
-            let names: Vec<&str> = members.iter().map(|(name, _)| name.as_str()).collect();
-            let by_name: HashMap<&str, &Shape> =
-                members.iter().map(|(name, shape)| (name.as_str(), shape)).collect();
-            for member in reader.members(given, "a struct").into_iter().flatten() {
-                let Some(shape) = by_name.get(member.key.as_str()) else {
-                    unknown_member(reader, member, &names);
-                    parts.push(broken.clone());
-                    continue;
-                };
-                let name = member_name(name, &member.key);
-                spread(reader, draft, shape, (&member.value, &name), what, parts);
-            }
-        }
-        _ => {
-            mismatch(reader, value, shape, what, &value.describe());
-            parts.push(broken);
+    }
+
+    fn members(
+        &mut self,
+        members: &[(String, Shape)],
+        value: &'d Value,
+        given: &'d Value,
+        name: &str,
+    ) {
+        self.reader.object(value, "a struct", &["struct"]);
+        let names: Vec<&str> = members.iter().map(|(name, _)| name.as_str()).collect();
+        let by_name: HashMap<&str, &Shape> =
+            members.iter().map(|(name, shape)| (name.as_str(), shape)).collect();
+        for member in self.reader.members(given, "a struct").into_iter().flatten() {
+            let Some(shape) = by_name.get(member.key.as_str()) else {
+                unknown_member(self.reader, member, &names);
+                self.broken(value, name);
+                continue;
+            };
+            self.read(shape, &member.value, &member_name(name, &member.key));
         }
     }
 }

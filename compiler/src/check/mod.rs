@@ -15,6 +15,7 @@ mod bind_inputs;
 mod compounds;
 mod cycles;
 mod dead_inputs;
+mod declarations;
 mod draft;
 mod expand;
 mod files;

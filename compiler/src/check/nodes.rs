@@ -275,9 +275,8 @@ fn read_inputs<'d>(
             continue;
         }
         if let (None, Some(shape)) = (input, shape_of(draft, node, member)) {
-            let mut parts = Vec::new();
             let given = (&member.value, member.key.as_str());
-            compounds::spread(reader, draft, shape, given, &what(), &mut parts);
+            let parts = compounds::spread(reader, draft, shape, given, &what());
             has_parts = true;
             let nested = signature_positions(draft, node);
             for (part, source) in parts {

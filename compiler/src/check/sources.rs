@@ -152,6 +152,13 @@ fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
         // The declaration made a finding, so its parts are not known.
         return SourceKind::Parameter(parameter);
     }
+    unknown_parameter(reader, draft, given, name);
+    SourceKind::Broken
+}
+
+/// Reports a connection to a parameter that does not exist, or to a part of one.
+fn unknown_parameter(reader: &mut Reader<'_>, draft: &Draft<'_>, given: &Value, name: &str) {
+    let whole = name.split(['.', '[']).next().unwrap_or(name);
     let names = || draft.parameters.iter().map(|parameter| parameter.name.as_str());
     let wholes = || draft.compounds.iter().map(|(name, _)| name.as_str());
     // One number is as near as another, so an index is no misspelling.
@@ -198,5 +205,4 @@ fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
     let mut finding = Finding::new(Code::UNKNOWN_PARAMETER, place, message, help);
     finding.fix = near.and_then(|near| near.fix());
     reader.findings.push(finding);
-    SourceKind::Broken
 }
