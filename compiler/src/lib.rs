@@ -9,7 +9,7 @@
 //!
 //! use phenomenon_compiler::check::check_graph;
 //! use phenomenon_compiler::document;
-//! use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+//! use phenomenon_compiler::effects::{Answer, Ray, Renderer, Trace};
 //! use phenomenon_compiler::engine::{Options, Shade, Shaded, Shader};
 //! use phenomenon_compiler::graph::RootKind;
 //! use phenomenon_compiler::nodes::NodeLibrary;
@@ -21,21 +21,13 @@
 //! }
 //!
 //! impl Renderer for Sky {
-//!     fn trace(&mut self, _: Effect, rays: &[Ray], answers: &mut [Answer]) {
+//!     fn trace(&mut self, _: Trace, rays: &[Ray], answers: &mut [Answer]) {
 //!         self.rays += rays.len();
 //!         for (ray, answer) in rays.iter().zip(answers) {
 //!             let up = ray.direction[2].max(0.0);
 //!             *answer = Answer { color: [up, up, 1.0, 1.0], ok: true, ..Answer::default() };
 //!         }
 //!     }
-//!     fn light_list(&mut self, _: &[String]) -> LightList {
-//!         LightList(0)
-//!     }
-//!     fn light_count(&mut self, _: LightList) -> usize {
-//!         0
-//!     }
-//!     fn light_samples(&mut self, _: LightList, _: usize, _: &[State], _: &mut [LightSample]) {}
-//!     fn light_colors(&mut self, _: LightList, _: usize, _: &[State], _: &mut [[f32; 3]]) {}
 //! }
 //!
 //! let text = br#"{

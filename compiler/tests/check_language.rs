@@ -9,7 +9,7 @@ use phenomenon_compiler::check::{Checked, Files, check_graph_with};
 use phenomenon_compiler::diagnostics::{Code, Finding, Place, SourceFile};
 use phenomenon_compiler::document::{Document, read};
 use phenomenon_compiler::effects::{
-    Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId,
+    Answer, LightList, LightSample, Ray, Renderer, TextureId, Trace,
 };
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
@@ -72,9 +72,9 @@ struct Asked {
 }
 
 impl Renderer for Asked {
-    fn trace(&mut self, effect: Effect, rays: &[Ray], answers: &mut [Answer]) {
+    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
         self.rays += rays.len();
-        let x = if effect == Effect::TraceReflection { 1.0 } else { 0.5 };
+        let x = if trace == Trace::Reflection { 1.0 } else { 0.5 };
         answers.fill(Answer { color: [x, x, x, 1.0], ok: true, hit: true, distance: 2.0 });
     }
     fn texture(&mut self, texture: &Texture) -> TextureId {
@@ -101,9 +101,9 @@ impl Renderer for Asked {
     }
     fn light_samples(&mut self, _: LightList, _: usize, _: &[State], samples: &mut [LightSample]) {
         let direction = [0.0, 0.0, 1.0];
-        samples.fill(LightSample { direction, distance: 0.0, reachable: true });
+        samples.fill(LightSample { direction, distance: 0.0, reachable: true, token: 0 });
     }
-    fn light_colors(&mut self, _: LightList, _: usize, _: &[State], colors: &mut [[f32; 3]]) {
+    fn light_colors(&mut self, _: &[State], _: &[u64], colors: &mut [[f32; 3]]) {
         colors.fill([1.0, 2.0, 4.0]);
     }
 }

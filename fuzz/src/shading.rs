@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use phenomenon_compiler::effects::{Answer, LightList, LightSample, Ray, Renderer, Trace};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -15,14 +15,13 @@ const MOST_NODES: usize = 200;
 /// A renderer without a scene: answers are made of the questions.
 #[derive(Default, PartialEq, Debug)]
 struct Nothing {
-    /// Rays by effect, then light samples asked for.
-    asked: [usize; 8],
+    /// Rays by kind, then light samples asked for.
+    asked: [usize; 6],
 }
 
 impl Renderer for Nothing {
-    fn trace(&mut self, effect: Effect, rays: &[Ray], answers: &mut [Answer]) {
-        let at = Effect::ALL.iter().position(|it| *it == effect).unwrap_or(6);
-        self.asked[at] += rays.len();
+    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
+        self.asked[trace as usize] += rays.len();
         for (ray, answer) in rays.iter().zip(answers) {
             let [x, y, z] = ray.direction;
             *answer = Answer { color: [x, y, z, 1.0], ok: x >= 0.0, hit: y >= 0.0, distance: z };
@@ -39,12 +38,15 @@ impl Renderer for Nothing {
 
     fn light_samples(&mut self, _: LightList, at: usize, _: &[State], samples: &mut [LightSample]) {
         let direction = if at == 0 { [0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0] };
-        samples.fill(LightSample { direction, distance: at as f32, reachable: at < 2 });
+        let token = at as u64;
+        samples.fill(LightSample { direction, distance: at as f32, reachable: at < 2, token });
     }
 
-    fn light_colors(&mut self, _: LightList, at: usize, _: &[State], colors: &mut [[f32; 3]]) {
-        self.asked[7] += colors.len();
-        colors.fill([1.0, at as f32, -0.0]);
+    fn light_colors(&mut self, _: &[State], tokens: &[u64], colors: &mut [[f32; 3]]) {
+        self.asked[5] += colors.len();
+        for (token, color) in tokens.iter().zip(colors) {
+            *color = [1.0, *token as f32, -0.0];
+        }
     }
 }
 

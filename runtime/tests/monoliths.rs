@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::document;
-use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer, Trace};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -23,16 +23,16 @@ struct Mock {
 const LIGHTS: [[f32; 3]; 3] = [[0.6, 0.8, 0.0], [0.0, 0.6, -0.8], [-0.48, -0.6, 0.64]];
 
 impl Renderer for Mock {
-    fn trace(&mut self, effect: Effect, rays: &[Ray], answers: &mut [Answer]) {
-        *self.requests.entry(effect).or_default() += rays.len();
+    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
+        *self.requests.entry(trace.into()).or_default() += rays.len();
         for (ray, answer) in rays.iter().zip(answers) {
             let [x, y, z] = ray.direction.map(|component| 0.5 + 0.5 * component);
-            let probe = effect == Effect::TraceProbe;
+            let probe = trace == Trace::Probe;
             *answer = Answer {
                 color: if probe { [0.0; 4] } else { [x, y, z, 0.25 + 0.5 * x] },
                 // Some points see nothing, so that the environment is asked instead.
-                ok: effect == Effect::TraceEnvironment || ray.state.path % 3 != 0,
-                hit: effect != Effect::TraceEnvironment,
+                ok: trace == Trace::Environment || ray.state.path % 3 != 0,
+                hit: trace != Trace::Environment,
                 distance: if ray.state.path % 5 == 0 { 0.0 } else { 2.0 + 3.0 * x },
             };
         }
@@ -56,19 +56,16 @@ impl Renderer for Mock {
     ) {
         for (point, sample) in points.iter().zip(samples) {
             let reachable = !(point.path + iteration as u64).is_multiple_of(4);
-            *sample = LightSample { direction: LIGHTS[iteration], distance: 0.0, reachable };
+            let (direction, token) = (LIGHTS[iteration], iteration as u64);
+            *sample = LightSample { direction, distance: 0.0, reachable, token };
         }
     }
 
-    fn light_colors(
-        &mut self,
-        _: LightList,
-        iteration: usize,
-        points: &[State],
-        colors: &mut [[f32; 3]],
-    ) {
+    fn light_colors(&mut self, points: &[State], tokens: &[u64], colors: &mut [[f32; 3]]) {
         *self.requests.entry(Effect::LightColor).or_default() += points.len();
-        colors.fill([1.0 + iteration as f32, 0.5, 0.25]);
+        for (token, color) in tokens.iter().zip(colors) {
+            *color = [1.0 + *token as f32, 0.5, 0.25];
+        }
     }
 }
 
@@ -177,7 +174,7 @@ fn compare(name: &str, overrides: &[(String, Literal)]) -> BTreeMap<Effect, usiz
             shader.shade(root, &[point], &mut composed, &mut results[..1]);
             monolith.shade(root, &[point], &mut by_hand, &mut results[1..]);
             assert_eq!(composed.requests, by_hand.requests, "{name} {root:?} {point:?}");
-            assert!(by_hand.requests.keys().all(|effect| declared.contains(effect)), "{name}");
+            assert!(by_hand.requests.keys().all(|effect| declared.contains(*effect)), "{name}");
             assert_eq!(results[0].ok, results[1].ok);
             for (a, b) in results[0].color.iter().zip(results[1].color) {
                 let error = (a - b).abs();

@@ -35,8 +35,13 @@ pub fn vector(value: [f32; 3]) -> Binding {
 impl Build {
     /// Nothing yet, of the standard nodes.
     pub fn new() -> Self {
+        Self::with(NodeLibrary::standard())
+    }
+
+    /// Nothing yet, of the nodes of a library.
+    pub fn with(library: NodeLibrary) -> Self {
         let graph = Graph { name: "built".to_owned(), ..Graph::default() };
-        Self { library: Arc::new(NodeLibrary::standard()), graph }
+        Self { library: Arc::new(library), graph }
     }
 
     /// Adds a parameter of the interface.

@@ -2,7 +2,7 @@
 //! request is logged.
 
 use phenomenon_compiler::effects::{
-    Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId,
+    Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId, Trace,
 };
 use phenomenon_compiler::state::{Field, State};
 use phenomenon_compiler::values::{Texture, Type};
@@ -55,9 +55,14 @@ fn numbers(values: impl IntoIterator<Item = f32>) -> impl Iterator<Item = u32> {
     values.into_iter().map(|x| canonical(x.to_bits()))
 }
 
+/// The token of a light sample: its list and its number there.
+fn token(list: LightList, iteration: usize) -> u64 {
+    u64::from(list.0) << 32 | iteration as u64
+}
+
 /// The words a light sample depends on.
-fn light_words(list: LightList, iteration: usize, state: &State) -> Vec<u32> {
-    let mut words = vec![list.0, iteration as u32];
+fn light_words(token: u64, state: &State) -> Vec<u32> {
+    let mut words = vec![(token >> 32) as u32, token as u32];
     words.extend(field_words(Field::Point, state));
     words.extend(field_words(Field::NormalGeom, state));
     words
@@ -76,11 +81,11 @@ fn record(effect: Effect, ray: &Ray) -> Record {
 }
 
 impl Renderer for MockRenderer {
-    fn trace(&mut self, effect: Effect, rays: &[Ray], answers: &mut [Answer]) {
+    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
         assert_eq!(rays.len(), answers.len());
         assert!(!rays.is_empty(), "a request without rays");
         for (ray, answer) in rays.iter().zip(answers) {
-            let record = record(effect, ray);
+            let record = record(trace.into(), ray);
             let mut random = Random::new(hash(
                 record.iter().enumerate().filter(|(at, _)| *at != 1).map(|(_, word)| *word),
             ));
@@ -136,29 +141,26 @@ impl Renderer for MockRenderer {
     ) {
         assert_eq!(points.len(), samples.len());
         if let Some(lights) = &self.lights {
-            return samples.fill(lights[iteration]);
+            let token = token(list, iteration);
+            return samples.fill(LightSample { token, ..lights[iteration] });
         }
         for (state, sample) in points.iter().zip(samples) {
-            let mut random = Random::new(hash(light_words(list, iteration, state)));
+            let token = token(list, iteration);
+            let mut random = Random::new(hash(light_words(token, state)));
             *sample = LightSample {
                 direction: random.vector(),
                 distance: random.number(),
                 reachable: random.chance(70),
+                token,
             };
         }
     }
 
-    fn light_colors(
-        &mut self,
-        list: LightList,
-        iteration: usize,
-        points: &[State],
-        colors: &mut [[f32; 3]],
-    ) {
-        assert_eq!(points.len(), colors.len());
+    fn light_colors(&mut self, points: &[State], tokens: &[u64], colors: &mut [[f32; 3]]) {
+        assert_eq!((points.len(), tokens.len()), (colors.len(), colors.len()));
         assert!(!points.is_empty(), "a request without points");
-        for (state, color) in points.iter().zip(colors) {
-            let words = light_words(list, iteration, state);
+        for ((state, token), color) in points.iter().zip(tokens).zip(colors) {
+            let words = light_words(*token, state);
             let mut random = Random::new(hash(words.iter().copied()) ^ 1);
             *color = [0; 3].map(|_| random.number());
             let mut record = vec![Effect::LightColor as u32, state.hit.instance];

@@ -4,10 +4,12 @@
 
 use std::collections::HashMap;
 
-use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use phenomenon_compiler::effects::{
+    Answer, Asked, Effect, LightList, LightSample, Ray, Renderer, Trace,
+};
 use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::{Binding, Graph, Node, Root};
-use phenomenon_compiler::nodes::{DefaultValue, Kind, NodeLibrary};
+use phenomenon_compiler::nodes::{DefaultValue, Kind, NodeLibrary, Output};
 use phenomenon_compiler::specialise::mix_key;
 use phenomenon_compiler::state::{Field, State};
 use phenomenon_compiler::values::{Literal, Type};
@@ -175,6 +177,19 @@ fn converted(words: Vec<u32>, from: Type, to: Type) -> Vec<u32> {
     }
 }
 
+/// The outputs a node declares, one after another, from the whole answer.
+fn declared(outputs: &[Output], effect: Effect, answer: &[u32]) -> Vec<u32> {
+    let mut words = Vec::new();
+    for output in outputs {
+        let mut first = 0;
+        for part in effect.answers().iter().take_while(|part| part.name != output.name) {
+            first += part.value_type.width();
+        }
+        words.extend(&answer[first..first + output.value_type.width()]);
+    }
+    words
+}
+
 impl Evaluation<'_> {
     /// The value of a binding that is not a default.
     fn given(
@@ -308,9 +323,14 @@ impl Evaluation<'_> {
         let signature = naive.library.signature(naive.nodes[node].node_type);
         let words = match &signature.kind {
             Kind::Plain => self.body(node, at)?,
-            Kind::Request(Effect::LightColor) => self.light_color(at)?,
-            Kind::Request(Effect::ReadTexture) => self.read_texture(node, at)?,
-            Kind::Request(effect) => self.trace(node, *effect, at)?,
+            Kind::Request(effect) => {
+                let answer = match effect.asked() {
+                    Asked::LightColors => self.light_color(at)?,
+                    Asked::Texels => self.read_texture(node, at)?,
+                    Asked::Rays(trace) => self.trace(node, trace, at)?,
+                };
+                declared(&signature.outputs, *effect, &answer)
+            }
             Kind::Scope(_) => {
                 let scope = Inside::Scope { node, fields: None };
                 let inside = self.open(node, at, scope);
@@ -378,23 +398,23 @@ impl Evaluation<'_> {
     fn trace(
         &mut self,
         node: usize,
-        effect: Effect,
+        trace: Trace,
         at: SurroundingsId,
     ) -> Result<Vec<u32>, TooLong> {
         let mut words = Vec::new();
         for input in 0..self.naive.nodes[node].inputs.len() {
             words.extend(self.input(node, input, at)?);
         }
-        let state = self.state(effect.reads(), at)?;
+        let state = self.state(Effect::from(trace).reads(), at)?;
         let vector = |from: usize| std::array::from_fn(|k| f32::from_bits(words[from + k]));
-        let (origin, direction) = match effect {
-            Effect::TraceTransparent => (state.point, state.direction),
-            Effect::TraceProbe => (vector(3), vector(0)),
+        let (origin, direction) = match trace {
+            Trace::Transparent => (state.point, state.direction),
+            Trace::Probe => (vector(3), vector(0)),
             _ => (state.point, vector(0)),
         };
         let site = self.site(&self.naive.nodes[node].name, at);
         let mut answers = [Answer::default()];
-        self.renderer.trace(effect, &[Ray { state, origin, direction, site }], &mut answers);
+        self.renderer.trace(trace, &[Ray { state, origin, direction, site }], &mut answers);
         let [Answer { color, ok, hit, distance }] = answers;
         let truth = |value: bool| if value { u32::MAX } else { 0 };
         let [r, g, b, a] = color.map(f32::to_bits);
@@ -456,11 +476,14 @@ impl Evaluation<'_> {
     fn light_color(&mut self, at: SurroundingsId) -> Result<Vec<u32>, TooLong> {
         let innermost = self.way_to(at).into_iter().rev().find_map(|of| {
             match self.surroundings[of].inside_of {
-                Inside::Iteration { list, number, .. } => Some((of, list, number)),
+                Inside::Iteration { list, number, sample } => {
+                    Some((of, list, number, sample.token))
+                }
                 Inside::Point | Inside::Scope { .. } => None,
             }
         });
-        let (iteration, list, number) = innermost.expect("random graphs ask inside loops only");
+        let (iteration, list, number, token) =
+            innermost.expect("random graphs ask inside loops only");
         let outside = self.surroundings[iteration].outside;
         let shared = self.effective(outside, &[Field::Point, Field::NormalGeom].into());
         let color = match self.light_colors.get(&(list, number, shared)) {
@@ -468,7 +491,7 @@ impl Evaluation<'_> {
             None => {
                 let state = self.state(&[Field::Point, Field::NormalGeom], at)?;
                 let mut colors = [[0.0; 3]];
-                self.renderer.light_colors(list, number, &[state], &mut colors);
+                self.renderer.light_colors(&[state], &[token], &mut colors);
                 self.light_colors.insert((list, number, shared), colors[0]);
                 colors[0]
             }

@@ -21,6 +21,6 @@ mod words;
 
 pub(crate) use back_end::standard_functions;
 pub use back_end::{Bits, Emit, Int, Mask, Real, Select};
-pub use body::Body;
+pub use body::{Body, MAX_OUTPUTS};
 pub use shapes::{Color, Components, One, Transform, Vector};
 pub use words::{Sink, Words, read_color, read_transform, read_vector, write_color, write_vector};

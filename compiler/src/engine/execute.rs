@@ -1,12 +1,12 @@
 //! Runs a schedule over a batch of points: the one executor batch and jit share. They differ in how
 //! a segment is run.
 
-use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId};
+use crate::effects::{LightList, LightSample, Renderer, TextureId};
 use crate::schedule::{Item, Loop, RegionId, Request, Schedule};
-use crate::specialise::Context;
+use crate::specialise::{Context, Subject};
 use crate::state::State;
 
-use super::requests::{answer_words, iteration_key, ray, texture_words};
+use super::requests::{Asking, Question, iteration_key};
 use super::runner::Runner;
 use super::shade::Shaded;
 use crate::storage::{FileShape, LANES, Lanes, Source};
@@ -34,24 +34,26 @@ pub struct Memory {
     todo: Vec<u8>,
     /// Per region and block, the lanes it was run for.
     done: Vec<u8>,
-    /// Per table and iteration, colours kept.
+    /// Per table and iteration, answers kept.
     tables: Vec<Vec<Table>>,
     /// Per loop, its iteration.
     iterations: Vec<usize>,
+    /// Per loop and point, the token of the light sample.
+    tokens: Vec<Vec<u64>>,
     stack: Vec<Frame>,
     chosen: Vec<usize>,
     states: Vec<State>,
-    rays: Vec<Ray>,
-    answers: Vec<Answer>,
+    asking: Asking,
     samples: Vec<LightSample>,
-    colors: Vec<[f32; 3]>,
 }
 
-/// Colours of one light sample, per block.
+/// Answers about one light sample.
 #[derive(Clone, Debug, Default)]
 struct Table {
+    /// Per block, the lanes whose answers are known.
     known: Vec<u8>,
-    colors: Vec<[Lanes; 3]>,
+    /// Per point, the words of its answer.
+    words: Vec<u32>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -116,12 +118,13 @@ impl Memory {
         self.done.resize(masks, 0);
         self.iterations.clear();
         self.iterations.resize(schedule.loops.len(), 0);
+        self.tokens.resize_with(schedule.loops.len().max(self.tokens.len()), Vec::new);
         self.tables.resize_with(schedule.tables.len().max(self.tables.len()), Vec::new);
         self.tables.iter_mut().for_each(|table| empty(table));
     }
 }
 
-/// Forgets the colours of a table.
+/// Forgets the answers of a table.
 fn empty(table: &mut [Table]) {
     for sample in table {
         sample.known.fill(0);
@@ -280,106 +283,77 @@ impl Run<'_> {
         state
     }
 
+    /// Asks the renderer for the chosen points; about a light sample, for those of which the answer is
+    /// not known yet.
     fn request(&mut self, request: &Request) {
-        match request.effect {
-            Effect::LightColor => return self.light_color(request),
-            Effect::ReadTexture => return self.read_texture(request),
-            _ => {}
-        }
         let site = request.loops.iter().fold(request.site, |key, &at| {
             iteration_key(key, self.memory.iterations[at].wrapping_sub(1))
         });
-        let mut rays = std::mem::take(&mut self.memory.rays);
-        let chosen = std::mem::take(&mut self.memory.chosen);
-        rays.clear();
-        rays.extend(chosen.iter().map(|&point| {
-            let mut words = [0; 6];
-            for (word, source) in words.iter_mut().zip(&request.words) {
-                *word = self.word(*source, point);
-            }
-            ray(request.effect, self.scoped(point, &request.context), words, site)
-        }));
-        let mut answers = std::mem::take(&mut self.memory.answers);
-        answers.clear();
-        answers.resize(rays.len(), Answer::default());
-        self.renderer.trace(request.effect, &rays, &mut answers);
-        for (&point, answer) in chosen.iter().zip(&answers) {
-            for (slot, word) in (request.output..).zip(answer_words(answer)) {
-                self.set(slot, point, word);
-            }
+        let (effect, subject) = (request.effect, request.subject);
+        let Some(question) = Question::of(effect, subject, site, self.textures) else { return };
+        let mut chosen = std::mem::take(&mut self.memory.chosen);
+        if let Subject::Light { of, table } = subject {
+            self.take_known(request, of, table, &mut chosen);
         }
-        self.memory.rays = rays;
-        self.memory.chosen = chosen;
-        self.memory.answers = answers;
-    }
-
-    fn read_texture(&mut self, request: &Request) {
-        let Some(texture) = request.texture.map(|at| self.textures[at]) else { return };
-        let chosen = std::mem::take(&mut self.memory.chosen);
-        let coordinate = |at: usize, point| f32::from_bits(self.word(request.words[at], point));
-        let coordinates: Vec<[f32; 2]> =
-            chosen.iter().map(|&point| [coordinate(0, point), coordinate(1, point)]).collect();
-        let mut colors = vec![None; coordinates.len()];
-        self.renderer.read_texture(texture, &coordinates, &mut colors);
-        for (&point, color) in chosen.iter().zip(&colors) {
-            for (slot, word) in (request.output..).zip(texture_words(*color)) {
-                self.set(slot, point, word);
-            }
+        if !chosen.is_empty() {
+            self.ask(request, question, &chosen);
         }
         self.memory.chosen = chosen;
     }
 
-    /// Asks for the colours of a light sample that are not known yet, and hands out all.
-    fn light_color(&mut self, request: &Request) {
-        let (Some(table), Some(&at)) = (request.table, request.loops.last()) else {
-            // The checker refuses it outside a loop; without one it is black, as in the walk.
-            for at in 0..self.memory.chosen.len() {
-                let point = self.memory.chosen[at];
-                for (slot, x) in (request.output..).zip([0.0_f32, 0.0, 0.0, 1.0]) {
-                    self.set(slot, point, x.to_bits());
+    /// Asks the renderer for points and writes the answers.
+    fn ask(&mut self, request: &Request, question: Question, points: &[usize]) {
+        let mut asking = std::mem::take(&mut self.memory.asking);
+        asking.clear();
+        if !request.effect.reads().is_empty() {
+            let scoped = |&point: &usize| self.scoped(point, &request.context);
+            asking.states.extend(points.iter().map(scoped));
+        }
+        if let Subject::Light { of, .. } = request.subject {
+            asking.tokens.extend(points.iter().map(|&point| self.memory.tokens[of][point]));
+        }
+        for &point in points {
+            asking.arguments.extend(request.words.iter().map(|source| self.word(*source, point)));
+        }
+        asking.ask(question, self.renderer);
+        let width = request.outputs as usize;
+        for (&point, words) in points.iter().zip(asking.answers.chunks_exact(width)) {
+            for (slot, word) in (request.output..).zip(words) {
+                self.set(slot, point, *word);
+            }
+        }
+        if let Subject::Light { of, table } = request.subject {
+            let turn = self.memory.iterations[of].wrapping_sub(1);
+            let kept = &mut self.memory.tables[table][turn];
+            for (&point, words) in points.iter().zip(asking.answers.chunks_exact(width)) {
+                kept.known[point / LANES] |= 1 << (point % LANES);
+                kept.words[point * width..][..width].copy_from_slice(words);
+            }
+        }
+        self.memory.asking = asking;
+    }
+
+    /// Writes what is known of the light sample, and leaves the points of which nothing is.
+    fn take_known(&mut self, request: &Request, of: usize, table: usize, points: &mut Vec<usize>) {
+        let width = request.outputs as usize;
+        let turn = self.memory.iterations[of].wrapping_sub(1);
+        let kept = &mut self.memory.tables[table];
+        if kept.len() <= turn {
+            kept.resize(turn + 1, Table::default());
+        }
+        let mut kept = std::mem::take(&mut kept[turn]);
+        kept.known.resize(self.blocks.max(kept.known.len()), 0);
+        kept.words.resize((self.blocks * LANES * width).max(kept.words.len()), 0);
+        points.retain(|&point| {
+            let is_known = kept.known[point / LANES] >> (point % LANES) & 1 == 1;
+            if is_known {
+                for (slot, word) in (request.output..).zip(&kept.words[point * width..][..width]) {
+                    self.set(slot, point, *word);
                 }
             }
-            return;
-        };
-        let iteration = self.memory.iterations[at].wrapping_sub(1);
-        let list = self.lists[self.program.schedule.tables[table].list];
-        let kept = &mut self.memory.tables[table];
-        if kept.len() <= iteration {
-            kept.resize(iteration + 1, Table::default());
-        }
-        let kept = &mut kept[iteration];
-        kept.known.resize(self.blocks.max(kept.known.len()), 0);
-        kept.colors.resize(self.blocks.max(kept.colors.len()), [Lanes::default(); 3]);
-        let chosen = std::mem::take(&mut self.memory.chosen);
-        let is_known = |point: usize| kept.known[point / LANES] >> (point % LANES) & 1 == 1;
-        let asked: Vec<usize> = chosen.iter().copied().filter(|&point| !is_known(point)).collect();
-        let mut states = std::mem::take(&mut self.memory.states);
-        states.clear();
-        states.extend(asked.iter().map(|&point| self.scoped(point, &request.context)));
-        let mut colors = std::mem::take(&mut self.memory.colors);
-        colors.clear();
-        colors.resize(states.len(), [0.0; 3]);
-        if !states.is_empty() {
-            self.renderer.light_colors(list, iteration, &states, &mut colors);
-        }
-        let kept = &mut self.memory.tables[table][iteration];
-        for (&point, color) in asked.iter().zip(&colors) {
-            let (block, lane) = (point / LANES, point % LANES);
-            kept.known[block] |= 1 << lane;
-            for (lanes, x) in kept.colors[block].iter_mut().zip(color) {
-                lanes.0[lane] = x.to_bits();
-            }
-        }
-        for &point in &chosen {
-            let color = self.memory.tables[table][iteration].colors[point / LANES];
-            for (slot, lanes) in (request.output..).zip(color) {
-                self.set(slot, point, lanes.0[point % LANES]);
-            }
-            self.set(request.output + 3, point, 1.0_f32.to_bits());
-        }
-        self.memory.chosen = chosen;
-        self.memory.states = states;
-        self.memory.colors = colors;
+            !is_known
+        });
+        self.memory.tables[table][turn] = kept;
     }
 
     /// Clears the sum where the loop is to be run.
@@ -412,7 +386,7 @@ impl Run<'_> {
         while self.memory.iterations[at] < count {
             let iteration = self.memory.iterations[at];
             self.memory.iterations[at] += 1;
-            if self.sample(of, within, iteration) {
+            if self.sample(at, within, iteration) {
                 self.renew(of);
                 self.memory.stack.push(Frame::Loop { at, within, count });
                 self.memory.stack.push(Frame::Region { region: of.region, item: 0 });
@@ -423,7 +397,8 @@ impl Run<'_> {
 
     /// Writes the light sample of an iteration, and the mask of the points it can reach; false if
     /// it reaches none.
-    fn sample(&mut self, of: &Loop, within: RegionId, iteration: usize) -> bool {
+    fn sample(&mut self, at: usize, within: RegionId, iteration: usize) -> bool {
+        let of = &self.program.schedule.loops[at];
         self.choose(within);
         let chosen = std::mem::take(&mut self.memory.chosen);
         let mut states = std::mem::take(&mut self.memory.states);
@@ -435,12 +410,14 @@ impl Run<'_> {
         let list = self.lists[of.list];
         self.renderer.light_samples(list, iteration, &states, &mut samples);
         self.memory.todo[of.region * self.blocks..][..self.blocks].fill(0);
+        self.memory.tokens[at].resize(self.blocks * LANES, 0);
         let mut any = false;
         for (&point, sample) in chosen.iter().zip(&samples) {
             if !sample.reachable {
                 continue;
             }
             any = true;
+            self.memory.tokens[at][point] = sample.token;
             self.memory.todo[of.region * self.blocks + point / LANES] |= 1 << (point % LANES);
             for (slot, x) in (of.fields..).zip(sample.direction) {
                 self.set(slot, point, x.to_bits());

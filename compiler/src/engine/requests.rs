@@ -1,7 +1,8 @@
-//! Requests as words: what both ways of running a graph write to the renderer and read from it.
+//! Requests as words: how both ways of running a graph put them to the renderer. They gather the words
+//! of arguments and hand out those of answers; what an effect means is known here alone.
 
-use crate::effects::{Answer, Effect, Ray};
-use crate::specialise::mix_key;
+use crate::effects::{Answer, Asked, Effect, Ray, Renderer, TextureId, Trace};
+use crate::specialise::{Subject, mix_key};
 use crate::state::State;
 
 /// The key of a request with one more loop round it.
@@ -9,26 +10,116 @@ pub(super) fn iteration_key(key: u64, iteration: usize) -> u64 {
     mix_key(key ^ mix_key(iteration as u64 + 1))
 }
 
-/// The ray of a request from its argument words: direction, then origin, as far as it has them.
-pub(super) fn ray(effect: Effect, state: State, words: [u32; 6], site: u64) -> Ray {
-    let [dx, dy, dz, ox, oy, oz] = words.map(f32::from_bits);
-    let (origin, direction) = match effect {
-        Effect::TraceProbe => ([ox, oy, oz], [dx, dy, dz]),
-        Effect::TraceTransparent => (state.point, state.direction),
-        _ => (state.point, [dx, dy, dz]),
-    };
-    Ray { state, origin, direction, site }
+/// What is asked, for all points alike.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Question {
+    /// To follow rays, with the key of their random numbers.
+    Rays(Trace, u64),
+    /// For the colours of the light samples with the points' tokens.
+    LightColors,
+    /// For pixels of a texture.
+    Texels(TextureId),
 }
 
-/// The output words of a texture request.
-pub(super) fn texture_words(color: Option<[f32; 4]>) -> [u32; 5] {
-    let [r, g, b, a] = color.unwrap_or_default().map(f32::to_bits);
-    [r, g, b, a, if color.is_some() { u32::MAX } else { 0 }]
+impl Question {
+    /// The question of a request at a site; none if it lacks what the effect needs.
+    pub(super) fn of(
+        effect: Effect,
+        subject: Subject,
+        site: u64,
+        textures: &[TextureId],
+    ) -> Option<Self> {
+        match (effect.asked(), subject) {
+            (Asked::Rays(trace), _) => Some(Question::Rays(trace, site)),
+            (Asked::LightColors, Subject::Light { .. }) => Some(Question::LightColors),
+            (Asked::Texels, Subject::Texture(at)) => Some(Question::Texels(textures[at])),
+            (Asked::LightColors | Asked::Texels, _) => None,
+        }
+    }
 }
 
-/// The output words of a trace request.
-pub(super) fn answer_words(answer: &Answer) -> [u32; 7] {
-    let truth = |value: bool| if value { u32::MAX } else { 0 };
-    let [r, g, b, a] = answer.color.map(f32::to_bits);
-    [r, g, b, a, truth(answer.ok), truth(answer.hit), answer.distance.to_bits()]
+/// A request of some points, as words; kept between requests so that nothing is allocated.
+#[derive(Debug, Default)]
+pub(super) struct Asking {
+    /// Of each point, its state with the changes of scopes; left out where the effect reads none.
+    pub states: Vec<State>,
+    /// Of each point, the token of the light sample that is asked about; for light colours only.
+    pub tokens: Vec<u64>,
+    /// Argument words, point by point.
+    pub arguments: Vec<u32>,
+    /// The words of the answers, point by point.
+    pub answers: Vec<u32>,
+    rays: Vec<Ray>,
+    traced: Vec<Answer>,
+    colors: Vec<[f32; 3]>,
+    coordinates: Vec<[f32; 2]>,
+    texels: Vec<Option<[f32; 4]>>,
+}
+
+impl Asking {
+    /// Makes it ready for another request.
+    pub(super) fn clear(&mut self) {
+        self.states.clear();
+        self.tokens.clear();
+        self.arguments.clear();
+    }
+
+    /// Puts the question to the renderer and writes the answers.
+    pub(super) fn ask(&mut self, question: Question, renderer: &mut dyn Renderer) {
+        self.answers.clear();
+        match question {
+            Question::Rays(trace, site) => self.trace(trace, site, renderer),
+            Question::LightColors => self.light_colors(renderer),
+            Question::Texels(texture) => self.read_texture(texture, renderer),
+        }
+    }
+
+    fn trace(&mut self, trace: Trace, site: u64, renderer: &mut dyn Renderer) {
+        let width = self.arguments.len() / self.states.len().max(1);
+        self.rays.clear();
+        self.rays.extend(self.states.iter().enumerate().map(|(point, state)| {
+            // A direction, then an origin, as far as the effect takes them.
+            let given = &self.arguments[point * width..][..width];
+            let vector = |from: usize, or: [f32; 3]| match given.get(from..from + 3) {
+                Some(words) => [words[0], words[1], words[2]].map(f32::from_bits),
+                None => or,
+            };
+            let direction = vector(0, state.direction);
+            Ray { state: *state, origin: vector(3, state.point), direction, site }
+        }));
+        self.traced.clear();
+        self.traced.resize(self.rays.len(), Answer::default());
+        renderer.trace(trace, &self.rays, &mut self.traced);
+        for answer in &self.traced {
+            self.answers.extend(answer.color.map(f32::to_bits));
+            self.answers.extend([truth(answer.ok), truth(answer.hit), answer.distance.to_bits()]);
+        }
+    }
+
+    fn light_colors(&mut self, renderer: &mut dyn Renderer) {
+        self.colors.clear();
+        self.colors.resize(self.states.len(), [0.0; 3]);
+        renderer.light_colors(&self.states, &self.tokens, &mut self.colors);
+        for [r, g, b] in &self.colors {
+            self.answers.extend([*r, *g, *b, 1.0].map(f32::to_bits));
+        }
+    }
+
+    fn read_texture(&mut self, texture: TextureId, renderer: &mut dyn Renderer) {
+        self.coordinates.clear();
+        let pairs = self.arguments.chunks_exact(2);
+        self.coordinates.extend(pairs.map(|at| [at[0], at[1]].map(f32::from_bits)));
+        self.texels.clear();
+        self.texels.resize(self.coordinates.len(), None);
+        renderer.read_texture(texture, &self.coordinates, &mut self.texels);
+        for color in &self.texels {
+            self.answers.extend(color.unwrap_or_default().map(f32::to_bits));
+            self.answers.push(truth(color.is_some()));
+        }
+    }
+}
+
+/// A truth as a word.
+fn truth(value: bool) -> u32 {
+    if value { u32::MAX } else { 0 }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::effects::{Effect, Renderer};
+use crate::effects::{EffectSet, Renderer};
 use crate::graph::RootKind;
 use crate::state::State;
 use crate::values::Texture;
@@ -22,7 +22,7 @@ pub trait Shade: Send + Sync {
     fn has_root(&self, root: RootKind) -> bool;
 
     /// The effects a root may ask for; the renderer need not provide others.
-    fn effects(&self, root: RootKind) -> BTreeSet<Effect>;
+    fn effects(&self, root: RootKind) -> EffectSet;
 
     /// The textures it may read, whatever the root: a renderer opens them before it renders.
     fn textures(&self) -> BTreeSet<Texture> {

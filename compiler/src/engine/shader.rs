@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
-use crate::effects::{Effect, Renderer};
+use crate::effects::{EffectSet, Renderer};
 use crate::graph::{BindError, Graph, Root, RootKind};
 use crate::nodes::NodeLibrary;
 use crate::schedule::{Schedule, schedule};
@@ -240,7 +240,7 @@ impl Shade for Shader {
         self.options.roots.contains(&root) && self.graph.root(root).is_some()
     }
 
-    fn effects(&self, root: RootKind) -> BTreeSet<Effect> {
+    fn effects(&self, root: RootKind) -> EffectSet {
         let programs = self.programs.iter().filter(|program| program.root == root);
         let instances = programs.flat_map(|program| &program.code.specialised.instances);
         instances

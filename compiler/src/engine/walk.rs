@@ -5,14 +5,17 @@
 //! Instances stand on an explicit stack, so that no chain is too deep. The cache is indexed, and
 //! stamped rather than emptied: nothing is hashed or allocated for a point.
 
-use crate::effects::{Answer, Effect, LightList, LightSample, Renderer, TextureId};
+use crate::effects::{LightList, LightSample, Renderer, TextureId};
+use crate::emit::MAX_OUTPUTS;
 use crate::kernels::BodyForms;
-use crate::specialise::{Context, EpochId, Instance, InstanceId, InstanceKind, Specialised};
+use crate::specialise::{
+    Context, EpochId, Instance, InstanceId, InstanceKind, Specialised, Subject,
+};
 use crate::state::State;
 use crate::storage::Source;
 
 use super::options::Simd;
-use super::requests::{answer_words, iteration_key, ray, texture_words};
+use super::requests::{Asking, Question, iteration_key};
 use super::shade::Shaded;
 
 /// Walks `graph` for each point, with the words its parameters are bound to.
@@ -51,9 +54,10 @@ pub struct Memory {
     passes: u64,
     /// Per epoch that is a loop: where it stands.
     loops: Vec<LoopPosition>,
-    tables: Vec<Vec<Kept>>,
+    tables: Vec<Kept>,
     stack: Vec<Frame>,
     inputs: Vec<u32>,
+    asking: Asking,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
@@ -62,13 +66,15 @@ struct LoopPosition {
     count: usize,
     running: bool,
     sum: [f32; 3],
+    /// Of the light sample.
+    token: u64,
 }
 
-/// A light colour, and the pass in which it was asked for.
-#[derive(Clone, Copy, Debug, Default)]
+/// Answers about the samples of a light list, and for each the pass in which it was asked for.
+#[derive(Clone, Debug, Default)]
 struct Kept {
-    pass: u64,
-    color: [f32; 3],
+    passes: Vec<u64>,
+    words: Vec<u32>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -86,7 +92,7 @@ impl Memory {
         self.done.resize(graph.instances.len().max(self.done.len()), 0);
         self.pass.resize(graph.epochs.0.len().max(self.pass.len()), 0);
         self.loops.resize(graph.epochs.0.len().max(self.loops.len()), LoopPosition::default());
-        self.tables.resize_with(graph.tables.len().max(self.tables.len()), Vec::new);
+        self.tables.resize_with(graph.tables.len().max(self.tables.len()), Kept::default);
     }
 }
 
@@ -159,15 +165,7 @@ impl Walk<'_> {
         }
         match &instance.kind {
             InstanceKind::Plain(code) => self.plain(instance, code),
-            InstanceKind::Request { effect: Effect::LightColor, context, loops, table, .. } => {
-                self.light_color(instance, *table, loops, context, state);
-            }
-            InstanceKind::Request { effect: Effect::ReadTexture, texture, .. } => {
-                self.read_texture(instance, *texture);
-            }
-            InstanceKind::Request { effect, context, site, loops, .. } => {
-                self.trace(instance, *effect, self.key(*site, loops), context, state);
-            }
+            InstanceKind::Request { .. } => self.request(instance, state),
             InstanceKind::Loop { epoch, .. } => {
                 let epoch = *epoch;
                 if self.iterate(instance, epoch, frame, state) {
@@ -230,36 +228,45 @@ impl Walk<'_> {
         })
     }
 
-    fn trace(
-        &mut self,
-        instance: &Instance,
-        effect: Effect,
-        site: u64,
-        context: &Context,
-        state: &State,
-    ) {
-        let state = self.scoped(state, context);
-        let mut words = [0; 6];
-        for (word, source) in words.iter_mut().zip(&instance.words) {
-            *word = self.word(*source);
+    /// Asks the renderer, or takes what is known of a light sample.
+    fn request(&mut self, instance: &Instance, state: &State) {
+        let InstanceKind::Request { effect, context, site, loops, subject } = &instance.kind else {
+            return;
+        };
+        let width = instance.outputs as usize;
+        let first = self.uniforms + instance.output as usize;
+        let kept = self.kept(*subject);
+        if let Some((table, turn, pass)) = kept {
+            let Memory { tables, words, .. } = &mut *self.memory;
+            if let Some(known) = tables[table].known(turn, pass, width) {
+                return words[first..first + width].copy_from_slice(known);
+            }
         }
-        let ray = ray(effect, state, words, site);
-        let mut answer = [Answer::default()];
-        self.renderer.trace(effect, &[ray], &mut answer);
-        for (at, word) in answer_words(&answer[0]).into_iter().enumerate() {
-            self.set(instance.output + at as u32, word);
+        let site = self.key(*site, loops);
+        let Some(question) = Question::of(*effect, *subject, site, self.textures) else { return };
+        let mut asking = std::mem::take(&mut self.memory.asking);
+        asking.clear();
+        if !effect.reads().is_empty() {
+            asking.states.push(self.scoped(state, context));
         }
+        if let Subject::Light { of, .. } = subject {
+            asking.tokens.push(self.memory.loops[*of].token);
+        }
+        asking.arguments.extend(instance.words.iter().map(|source| self.word(*source)));
+        asking.ask(question, self.renderer);
+        self.memory.words[first..first + width].copy_from_slice(&asking.answers);
+        if let Some((table, turn, pass)) = kept {
+            self.memory.tables[table].keep(turn, pass, &asking.answers);
+        }
+        self.memory.asking = asking;
     }
 
-    fn read_texture(&mut self, instance: &Instance, texture: Option<usize>) {
-        let Some(texture) = texture.map(|at| self.textures[at]) else { return };
-        let coordinate = |at: usize| f32::from_bits(self.word(instance.words[at]));
-        let coordinates = [coordinate(0), coordinate(1)];
-        let mut color = [None];
-        self.renderer.read_texture(texture, &[coordinates], &mut color);
-        for (slot, word) in (instance.output..).zip(texture_words(color[0])) {
-            self.set(slot, word);
-        }
+    /// Where an answer about a light sample is kept: its table, the turn of its loop, and the pass in
+    /// which it holds.
+    fn kept(&self, subject: Subject) -> Option<(usize, usize, u64)> {
+        let Subject::Light { of, table } = subject else { return None };
+        let turn = self.memory.loops[of].next.wrapping_sub(1);
+        Some((table, turn, self.memory.pass[self.graph.tables[table].epoch]))
     }
 
     /// Starts the next iteration of a loop whose sample can reach the point. False when the loop is
@@ -282,7 +289,7 @@ impl Walk<'_> {
             }
         } else {
             let count = self.renderer.light_count(list);
-            position = LoopPosition { next: 0, count, running: true, sum: [0.0; 3] };
+            position = LoopPosition { count, running: true, ..LoopPosition::default() };
         }
         let state = self.scoped(state, context);
         while position.next < position.count {
@@ -294,6 +301,7 @@ impl Walk<'_> {
             if !sample.reachable {
                 continue;
             }
+            position.token = sample.token;
             self.memory.loops[epoch] = position;
             self.pass_anew(epoch);
             for (slot, x) in (*fields..).zip(sample.direction) {
@@ -324,39 +332,20 @@ impl Walk<'_> {
             }
         }
     }
-
-    fn light_color(
-        &mut self,
-        instance: &Instance,
-        table: Option<usize>,
-        loops: &[EpochId],
-        context: &Context,
-        state: &State,
-    ) {
-        let mut color = [0.0; 3];
-        if let (Some(table), Some(&epoch)) = (table, loops.last()) {
-            let iteration = self.memory.loops[epoch].next - 1;
-            let owner = self.graph.tables[table];
-            let pass = self.memory.pass[owner.epoch];
-            let kept = &mut self.memory.tables[table];
-            if kept.len() <= iteration {
-                kept.resize(iteration + 1, Kept::default());
-            }
-            if kept[iteration].pass != pass {
-                let state = self.scoped(state, context);
-                let list = self.lists[owner.list];
-                let mut colors = [[0.0; 3]];
-                self.renderer.light_colors(list, iteration, &[state], &mut colors);
-                self.memory.tables[table][iteration] = Kept { pass, color: colors[0] };
-            }
-            color = self.memory.tables[table][iteration].color;
-        }
-        let [r, g, b] = color;
-        for (slot, x) in (instance.output..).zip([r, g, b, 1.0]) {
-            self.set(slot, x.to_bits());
-        }
-    }
 }
 
-/// Most output words of a body.
-pub const MAX_OUTPUTS: usize = 64;
+impl Kept {
+    /// The answer about a turn, if it was asked for in this pass.
+    fn known(&self, turn: usize, pass: u64, width: usize) -> Option<&[u32]> {
+        let is_known = self.passes.get(turn) == Some(&pass);
+        is_known.then(|| &self.words[turn * width..][..width])
+    }
+
+    fn keep(&mut self, turn: usize, pass: u64, words: &[u32]) {
+        let turns = self.passes.len().max(turn + 1);
+        self.passes.resize(turns, 0);
+        self.words.resize(turns * words.len(), 0);
+        self.passes[turn] = pass;
+        self.words[turn * words.len()..][..words.len()].copy_from_slice(words);
+    }
+}

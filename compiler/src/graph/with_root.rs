@@ -156,33 +156,15 @@ mod tests {
     use super::*;
     use crate::check::check_graph;
     use crate::document;
-    use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+    use crate::effects::{Answer, Ray, Renderer, Trace};
     use crate::engine::{Engine, Options, Shade, Shaded, Shader};
     use crate::state::{Field, State};
 
     struct Nothing;
 
     impl Renderer for Nothing {
-        fn trace(&mut self, _: Effect, _: &[Ray], answers: &mut [Answer]) {
+        fn trace(&mut self, _: Trace, _: &[Ray], answers: &mut [Answer]) {
             answers.fill(Answer::default());
-        }
-        fn light_list(&mut self, _: &[String]) -> LightList {
-            LightList(0)
-        }
-        fn light_count(&mut self, _: LightList) -> usize {
-            0
-        }
-        fn light_samples(
-            &mut self,
-            _: LightList,
-            _: usize,
-            _: &[State],
-            samples: &mut [LightSample],
-        ) {
-            samples.fill(LightSample::default());
-        }
-        fn light_colors(&mut self, _: LightList, _: usize, _: &[State], colors: &mut [[f32; 3]]) {
-            colors.fill([0.0; 3]);
         }
     }
 

@@ -1,7 +1,7 @@
 //! The entries through which bodies run natively: for one point, and for blocks of eight.
 
-use crate::emit::Body;
 use crate::emit::scalar::Scalar;
+use crate::emit::{Body, MAX_OUTPUTS};
 use crate::storage::{LANES, Lanes, Placement};
 
 /// Whether the CPU runs the native forms (AVX2 and FMA).
@@ -47,7 +47,7 @@ pub fn wide<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
 /// Runs `B` over the blocks lane by lane: same bits, any CPU.
 pub fn wide_portable<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
     let mut inputs = vec![0; placement.sources.len()];
-    let mut outputs = [0; 64];
+    let mut outputs = [0; MAX_OUTPUTS];
     let mut outputs = &mut outputs[..B::OUTPUTS];
     for block in 0..placement.blocks {
         for lane in 0..LANES {

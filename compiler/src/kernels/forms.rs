@@ -1,8 +1,8 @@
 //! A node's body compiled for every back end, with its type erased.
 
-use crate::emit::Body;
 use crate::emit::interval::{Intervals, Word};
 use crate::emit::scalar::Scalar;
+use crate::emit::{Body, MAX_OUTPUTS};
 use crate::ops::{OpId, Tape};
 use crate::storage::{Lanes, Placement};
 
@@ -35,6 +35,7 @@ impl std::fmt::Debug for BodyForms {
 impl BodyForms {
     /// Compiles `B` for every back end.
     pub const fn of<B: Body>() -> Self {
+        const { assert!(B::OUTPUTS <= MAX_OUTPUTS, "a body writes too many words") };
         Self {
             scalar: super::entries::scalar::<B>,
             wide: super::entries::wide::<B>,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::NodeLibrary;
 use crate::check::check_graph;
 use crate::document;
-use crate::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use crate::effects::{Answer, Ray, Renderer, Trace};
 use crate::engine::{Engine, Options, Shade, Shaded, Shader};
 use crate::graph::RootKind;
 use crate::state::State;
@@ -39,15 +39,7 @@ fn the_page_shows_the_source_that_is_compiled() {
 struct Nothing;
 
 impl Renderer for Nothing {
-    fn trace(&mut self, _: Effect, _: &[Ray], _: &mut [Answer]) {}
-    fn light_list(&mut self, _: &[String]) -> LightList {
-        LightList(0)
-    }
-    fn light_count(&mut self, _: LightList) -> usize {
-        0
-    }
-    fn light_samples(&mut self, _: LightList, _: usize, _: &[State], _: &mut [LightSample]) {}
-    fn light_colors(&mut self, _: LightList, _: usize, _: &[State], _: &mut [[f32; 3]]) {}
+    fn trace(&mut self, _: Trace, _: &[Ray], _: &mut [Answer]) {}
 }
 
 #[test]

@@ -40,7 +40,13 @@ pub struct NodeLibrary {
 
 impl NodeLibrary {
     /// Adds a node type, or replaces the one of the same name.
+    ///
+    /// # Panics
+    /// If engines could not run it; [`Definition::check`] tells beforehand.
     pub fn add(&mut self, definition: Definition) {
+        if let Err(error) = definition.check() {
+            panic!("{error}");
+        }
         let name = definition.signature.name;
         if let Some(&NodeType(at)) = self.by_name.get(name) {
             self.definitions[at] = definition;

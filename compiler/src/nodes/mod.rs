@@ -16,6 +16,7 @@ mod library;
 mod light_reads;
 pub mod reference;
 mod signature;
+mod soundness;
 mod standard;
 
 pub use library::{Definition, NodeLibrary, NodeType, Overload, paragraph};
@@ -24,6 +25,7 @@ pub use signature::{
     Avoid, BLACK, DefaultValue, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE,
     Signature, WHITE, node, required, state,
 };
+pub use soundness::DefinitionError;
 
 /// Declares the folders and files of nodes, and the list [`NodeLibrary::standard`] is made from.
 macro_rules! nodes {

@@ -1,6 +1,6 @@
 //! From a specialised graph to its schedule.
 
-use crate::specialise::{EpochId, Instance, InstanceId, InstanceKind, Specialised};
+use crate::specialise::{EpochId, Instance, InstanceId, InstanceKind, Specialised, Subject};
 use crate::storage::Source;
 
 use super::{Item, Loop, Region, RegionId, Request, Schedule, Segment, Step};
@@ -293,7 +293,7 @@ impl Builder<'_> {
         self.emitted[id] = true;
         match &instance.kind {
             InstanceKind::Plain(_) => self.evaluate(open, id),
-            InstanceKind::Request { effect, context, site, loops, table, texture } => {
+            InstanceKind::Request { effect, context, site, loops, subject } => {
                 self.flush(open);
                 open.items.push(Item::Request(self.requests.len()));
                 let loops = loops.iter().filter_map(|epoch| self.loop_of_epoch[*epoch]).collect();
@@ -302,17 +302,28 @@ impl Builder<'_> {
                     effect: *effect,
                     words: instance.words.clone(),
                     output: instance.output,
+                    outputs: instance.outputs,
                     context: context.clone(),
                     site: *site,
                     loops,
-                    table: *table,
-                    texture: *texture,
+                    subject: self.subject(*subject),
                 });
             }
             InstanceKind::Loop { epoch, .. } => {
                 self.flush(open);
                 open.items.extend(self.loop_of_epoch[*epoch].map(Item::Loop));
             }
+        }
+    }
+
+    /// What a request is about, a loop by its position in the schedule.
+    fn subject(&self, subject: Subject) -> Subject {
+        match subject {
+            Subject::Light { of, table } => match self.loop_of_epoch[of] {
+                Some(of) => Subject::Light { of, table },
+                None => unreachable!("what is asked inside a loop is reached through the loop"),
+            },
+            Subject::Point | Subject::Texture(_) => subject,
         }
     }
 

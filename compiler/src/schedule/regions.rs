@@ -2,7 +2,7 @@
 
 use crate::effects::Effect;
 use crate::kernels::BodyForms;
-use crate::specialise::{Context, EpochId, LightTable};
+use crate::specialise::{Context, EpochId, LightTable, Subject};
 use crate::state::Field;
 use crate::storage::Source;
 use crate::values::Texture;
@@ -93,16 +93,16 @@ pub struct Request {
     pub words: Vec<Source>,
     /// First slot of the answer.
     pub output: u32,
+    /// Words of the answer.
+    pub outputs: u32,
     /// State fields that scopes changed.
     pub context: Context,
     /// Key of its random numbers.
     pub site: u64,
     /// Positions of the loops round it, outermost first.
     pub loops: Vec<usize>,
-    /// Table of light colours.
-    pub table: Option<usize>,
-    /// Position of the texture that is read.
-    pub texture: Option<usize>,
+    /// What it is about.
+    pub subject: Subject,
 }
 
 /// A light loop.

@@ -42,10 +42,8 @@ pub enum InstanceKind {
         site: u64,
         /// Loop epochs round it, outermost first: their iterations go into the key too.
         loops: Vec<EpochId>,
-        /// Where light colours are kept, for [`Effect::LightColor`].
-        table: Option<usize>,
-        /// Position in [`Specialised::textures`], for [`Effect::ReadTexture`].
-        texture: Option<usize>,
+        /// What it is about.
+        subject: Subject,
     },
     /// By running a body for every light sample. Its last demand is the body.
     Loop {
@@ -61,6 +59,22 @@ pub enum InstanceKind {
         words: Vec<Source>,
         /// State fields that scopes round it changed.
         context: Context,
+    },
+}
+
+/// What a request is about, besides the point that asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// Nothing else.
+    Point,
+    /// A texture: its position in [`Specialised::textures`].
+    Texture(usize),
+    /// The sample of a loop over lights.
+    Light {
+        /// The loop: its epoch in a specialised graph, its position in a schedule.
+        of: usize,
+        /// Position in [`Specialised::tables`]: where answers are kept.
+        table: usize,
     },
 }
 

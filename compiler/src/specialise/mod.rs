@@ -16,7 +16,9 @@ pub use epochs::{Epoch, EpochKind, Epochs};
 pub use error::SpecialiseError;
 pub use expand::{MAX_INSTANCES, MAX_NESTED_LOOPS, expand};
 pub use ids::{EpochId, InstanceId};
-pub use instances::{Context, Demand, Guard, Instance, InstanceKind, LightTable, Specialised};
+pub use instances::{
+    Context, Demand, Guard, Instance, InstanceKind, LightTable, Specialised, Subject,
+};
 pub use keys::mix_key;
 pub use reads::FieldSet;
 pub use uniforms::Uniforms;

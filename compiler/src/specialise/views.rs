@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 
 use crate::graph::{Binding, Graph, Root};
-use crate::nodes::{DefaultValue, Definition, NodeLibrary, Overload, Signature};
+use crate::nodes::{DefaultValue, Definition, Kind, NodeLibrary, Overload, Signature};
 use crate::state::Field;
 use crate::values::{Literal, Type};
 
@@ -161,9 +161,18 @@ impl<'a> Views<'a> {
         }
     }
 
-    /// First word of an output.
-    pub fn output_offset(&self, view: usize, output: usize) -> usize {
-        (0..output).map(|before| self.output_type(view, before).width()).sum()
+    /// First word of an output: a body writes them in order, a request leaves them where they are
+    /// in the answer.
+    pub fn output_offset(&self, view: usize, output: usize) -> Result<usize, SpecialiseError> {
+        let signature = self.signature(view);
+        let Kind::Request(effect) = signature.kind else {
+            return Ok((0..output).map(|before| self.output_type(view, before).width()).sum());
+        };
+        let name = signature.outputs[output].name;
+        effect.answer_offset(name).ok_or_else(|| {
+            let problem = format!("`{}` does not answer `{name}`", effect.name());
+            inconsistent(self.name(view), &problem)
+        })
     }
 
     /// Words of all inputs.

@@ -1,5 +1,5 @@
 use glam::{Vec3, Vec4};
-use phenomenon_compiler::effects::Effect;
+use phenomenon_compiler::effects::{Effect, Trace};
 use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
@@ -88,7 +88,7 @@ impl AdvancedGlass {
             color = self.inner(point, n1, n2, asking) * (1.0 - mirror_share);
         }
         if mirror_share != 0.0 {
-            let mirrored = asking.see(Effect::TraceReflection, point, reflect(point), MIRROR);
+            let mirrored = asking.see(Trace::Reflection, point, reflect(point), MIRROR);
             color += mirrored * mirror_share;
         }
         color
@@ -109,7 +109,7 @@ impl AdvancedGlass {
         }
         let mut color = Vec4::ZERO;
         if body_share != 1.0 {
-            let seen = asking.see(Effect::TraceRefraction, point, direction, THROUGH);
+            let seen = asking.see(Trace::Refraction, point, direction, THROUGH);
             color = filtered(seen, tint) * (1.0 - body_share);
         }
         if body_share != 0.0 {
@@ -130,7 +130,7 @@ impl AdvancedGlass {
 
     /// Length of the way through the glass, as a share of the full depth.
     fn depth_share(&self, point: &State, direction: Vec3, asking: &mut Asking<'_>) -> f32 {
-        let thickness = asking.trace(Effect::TraceProbe, point, direction, PROBE).distance;
+        let thickness = asking.trace(Trace::Probe, point, direction, PROBE).distance;
         if self.depth == 0.0 {
             return if thickness > 0.0 { 1.0 } else { 0.0 };
         }

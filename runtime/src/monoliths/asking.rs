@@ -1,7 +1,7 @@
 //! Asking the renderer about one point at a time.
 
 use glam::{Vec3, Vec4};
-use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer};
+use phenomenon_compiler::effects::{Answer, LightList, LightSample, Ray, Renderer, Trace};
 use phenomenon_compiler::state::State;
 
 /// The renderer, and the list of all lights once it was asked for.
@@ -17,20 +17,20 @@ impl<'r> Asking<'r> {
     }
 
     /// Casts a ray from the point.
-    pub fn trace(&mut self, effect: Effect, point: &State, direction: Vec3, site: u64) -> Answer {
+    pub fn trace(&mut self, trace: Trace, point: &State, direction: Vec3, site: u64) -> Answer {
         let ray = Ray { state: *point, origin: point.point, direction: direction.into(), site };
         let mut answers = [Answer::default()];
-        self.renderer.trace(effect, &[ray], &mut answers);
+        self.renderer.trace(trace, &[ray], &mut answers);
         answers[0]
     }
 
     /// What a ray sees, or the environment where no shader answered it. Sites `site` and
     /// `site + 1`.
-    pub fn see(&mut self, effect: Effect, point: &State, direction: Vec3, site: u64) -> Vec4 {
-        let answer = self.trace(effect, point, direction, site);
+    pub fn see(&mut self, trace: Trace, point: &State, direction: Vec3, site: u64) -> Vec4 {
+        let answer = self.trace(trace, point, direction, site);
         let answer = match answer.ok {
             true => answer,
-            false => self.trace(Effect::TraceEnvironment, point, direction, site + 1),
+            false => self.trace(Trace::Environment, point, direction, site + 1),
         };
         Vec4::from(answer.color)
     }
@@ -47,7 +47,7 @@ impl<'r> Asking<'r> {
             let cosine = Vec3::from(samples[0].direction).dot(Vec3::from(point.normal));
             if samples[0].reachable && cosine > 0.0 {
                 let mut colors = [[0.0; 3]];
-                self.renderer.light_colors(list, iteration, points, &mut colors);
+                self.renderer.light_colors(points, &[samples[0].token], &mut colors);
                 sum += Vec3::from(colors[0]) * cosine;
             }
         }

@@ -1,9 +1,7 @@
 //! A hand-written shader of one point as something that shades batches.
 
-use std::collections::BTreeSet;
-
 use glam::{Vec3, Vec4};
-use phenomenon_compiler::effects::{Effect, Renderer};
+use phenomenon_compiler::effects::{Effect, EffectSet, Renderer};
 use phenomenon_compiler::engine::{Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
@@ -40,7 +38,7 @@ impl<S: PointShader> Shade for Pointwise<S> {
         S::ROOTS.iter().any(|(kind, _)| *kind == root)
     }
 
-    fn effects(&self, root: RootKind) -> BTreeSet<Effect> {
+    fn effects(&self, root: RootKind) -> EffectSet {
         let roots = S::ROOTS.iter().filter(|(kind, _)| *kind == root);
         roots.flat_map(|(_, effects)| effects.iter().copied()).collect()
     }

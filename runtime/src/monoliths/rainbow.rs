@@ -1,5 +1,5 @@
 use glam::{Vec3, Vec4, Vec4Swizzles};
-use phenomenon_compiler::effects::Effect;
+use phenomenon_compiler::effects::{Effect, Trace};
 use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
@@ -66,7 +66,7 @@ impl PointShader for Rainbow {
             glossy = surface.extend(self.surface_color.w) * (1.0 - share);
         }
         if share != 0.0 {
-            let seen = asking.trace(Effect::TraceReflection, point, reflect(point), MIRROR);
+            let seen = asking.trace(Trace::Reflection, point, reflect(point), MIRROR);
             glossy += Vec4::from(seen.color) * share;
         }
         let facing = Vec3::from(point.normal).dot(Vec3::from(point.direction));

@@ -1,5 +1,5 @@
 use glam::Vec4;
-use phenomenon_compiler::effects::Effect;
+use phenomenon_compiler::effects::{Effect, Trace};
 use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
@@ -42,7 +42,7 @@ impl PointShader for TintedMirror {
         let share = fresnel_at(point, self.ior);
         let mut color = Vec4::W;
         if share != 0.0 {
-            let seen = asking.trace(Effect::TraceReflection, point, reflect(point), MIRROR);
+            let seen = asking.trace(Trace::Reflection, point, reflect(point), MIRROR);
             let seen = filtered(seen.color.into(), self.tint.truncate());
             color = color.lerp(seen, share);
         }

@@ -16,6 +16,9 @@ use crate::scene::Scene;
 /// Request site of shadow rays; the light and the position among the occluders are mixed in.
 const SHADOW_SITE: u64 = 0x7368_6164_6f77;
 
+/// The token where a list has no such light.
+const NO_LIGHT: u64 = u64::MAX;
+
 impl Context<'_> {
     pub(super) fn sample_light(
         &mut self,
@@ -24,32 +27,35 @@ impl Context<'_> {
         points: &[State],
         samples: &mut [LightSample],
     ) {
-        let light = self.lights_of(list).get(iteration).copied();
-        let light = light.map(|light| &self.scene.lights[light as usize]);
+        let Some(&number) = self.lights_of(list).get(iteration) else {
+            return samples.fill(LightSample { token: NO_LIGHT, ..LightSample::default() });
+        };
+        let light = &self.scene.lights[number as usize];
+        let token = u64::from(number);
         for (point, sample) in points.iter().zip(samples) {
-            *sample = match light.and_then(|light| light.seen_from(point.point)) {
+            *sample = match light.seen_from(point.point) {
                 Some(sight) => LightSample {
                     direction: sight.direction,
                     distance: sight.distance.unwrap_or(0.0) as f32,
                     reachable: true,
+                    token,
                 },
-                None => LightSample::default(),
+                None => LightSample { token, ..LightSample::default() },
             };
         }
     }
 
-    /// Casts the shadow rays of a batch of points and writes what arrives.
+    /// Casts the shadow rays of a batch of points towards one light sample and writes what arrives.
     pub(super) fn light_points(
         &mut self,
-        list: LightList,
-        iteration: usize,
+        token: u64,
         points: &[State],
         colors: &mut [[f32; 3]],
         scratch: &mut Scratch,
     ) {
-        let Some(&number) = self.lights_of(list).get(iteration) else { return };
         let scene = self.scene;
-        let light = &scene.lights[number as usize];
+        let Ok(number) = u32::try_from(token) else { return };
+        let Some(light) = scene.lights.get(number as usize) else { return };
         scratch.occluders.clear();
         scratch.ranges.clear();
         for (at, (point, color)) in points.iter().zip(&mut *colors).enumerate() {

@@ -1,7 +1,7 @@
 //! The renderer as shaders see it: what they may ask of a context.
 
 use phenomenon_compiler::effects::{
-    Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId,
+    Answer, LightList, LightSample, Ray, Renderer, TextureId, Trace,
 };
 use phenomenon_compiler::state::{RayType, State};
 use phenomenon_compiler::values::Texture;
@@ -11,16 +11,15 @@ use super::context::Context;
 use super::points::{prepared, unit_direction};
 
 impl Renderer for Context<'_> {
-    fn trace(&mut self, effect: Effect, rays: &[Ray], answers: &mut [Answer]) {
-        let ray_type = match effect {
-            Effect::TraceReflection => RayType::Reflection,
-            Effect::TraceRefraction => RayType::Refraction,
-            Effect::TraceTransparent => RayType::Transparent,
-            Effect::TraceEnvironment => RayType::Environment,
-            Effect::TraceProbe => {
+    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
+        let ray_type = match trace {
+            Trace::Reflection => RayType::Reflection,
+            Trace::Refraction => RayType::Refraction,
+            Trace::Transparent => RayType::Transparent,
+            Trace::Environment => RayType::Environment,
+            Trace::Probe => {
                 return self.nested(|context, _| context.probe(rays, answers));
             }
-            Effect::LightColor | Effect::ReadTexture => return answers.fill(Answer::default()),
         };
         answers.fill(Answer::default());
         self.nested(|context, scratch| {
@@ -78,18 +77,18 @@ impl Renderer for Context<'_> {
         self.clock.switch(before);
     }
 
-    fn light_colors(
-        &mut self,
-        list: LightList,
-        iteration: usize,
-        points: &[State],
-        colors: &mut [[f32; 3]],
-    ) {
+    fn light_colors(&mut self, points: &[State], tokens: &[u64], colors: &mut [[f32; 3]]) {
         colors.fill([0.0; 3]);
         self.nested(|context, scratch| {
             let batch = context.batch;
-            for (points, colors) in points.chunks(batch).zip(colors.chunks_mut(batch)) {
-                context.light_points(list, iteration, points, colors, scratch);
+            let mut from = 0;
+            for tokens in tokens.chunk_by(|a, b| a == b) {
+                let same = from..from + tokens.len();
+                from = same.end;
+                let (points, colors) = (&points[same.clone()], &mut colors[same]);
+                for (points, colors) in points.chunks(batch).zip(colors.chunks_mut(batch)) {
+                    context.light_points(tokens[0], points, colors, scratch);
+                }
             }
         });
     }

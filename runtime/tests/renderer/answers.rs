@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::effects::{Answer, Effect, Renderer};
+use phenomenon_compiler::effects::{Answer, Renderer, Trace};
 use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::state::{RayType, State};
 use phenomenon_runtime::geometry::Transform;
@@ -49,9 +49,9 @@ fn without_an_environment_misses_are_black_and_not_ok() {
 }
 
 /// Rays bounce between the walls of a mirrored ball until the depth ends them.
-fn rays_within(depth: &[i32], effect: Effect) -> RayCounts {
+fn rays_within(depth: &[i32], kind: Trace) -> RayCounts {
     let hand = Hand::material(move |points, renderer, results| {
-        let answers = trace(renderer, effect, points, true, mirrored);
+        let answers = trace(renderer, kind, points, true, mirrored);
         for (answer, result) in answers.iter().zip(results) {
             *result = Shaded { color: answer.color, ok: answer.ok };
         }
@@ -73,20 +73,20 @@ fn rays_within(depth: &[i32], effect: Effect) -> RayCounts {
 fn depth_limits_cut_reflections_and_refractions() {
     let eye = 24 * 24 * 4;
     for depth in [0, 1, 4] {
-        let rays = rays_within(&[depth], Effect::TraceReflection);
+        let rays = rays_within(&[depth], Trace::Reflection);
         assert_eq!((rays.eye, rays.reflection), (eye, eye * depth as u64));
         assert_eq!(rays.environment, eye);
     }
-    assert_eq!(rays_within(&[5, 0, 3], Effect::TraceReflection).reflection, eye * 3);
-    assert_eq!(rays_within(&[5, 2], Effect::TraceRefraction).refraction, eye * 2);
-    assert_eq!(rays_within(&[2, 5, 2], Effect::TraceRefraction).refraction, eye * 2);
+    assert_eq!(rays_within(&[5, 0, 3], Trace::Reflection).reflection, eye * 3);
+    assert_eq!(rays_within(&[5, 2], Trace::Refraction).refraction, eye * 2);
+    assert_eq!(rays_within(&[2, 5, 2], Trace::Refraction).refraction, eye * 2);
 }
 
 #[test]
 fn transparent_rays_go_straight_on_whatever_direction_is_asked() {
     let (hand, seen) = crate::shaders::recorder();
     let glass = Hand::material(|points, renderer, results| {
-        let answers = trace(renderer, Effect::TraceTransparent, points, true, |_| [0.0; 3]);
+        let answers = trace(renderer, Trace::Transparent, points, true, |_| [0.0; 3]);
         for (answer, result) in answers.iter().zip(results) {
             *result = Shaded { color: answer.color, ok: answer.hit };
         }
@@ -113,7 +113,7 @@ fn transparent_rays_go_straight_on_whatever_direction_is_asked() {
 #[test]
 fn environment_shaders_see_the_direction_and_never_recurse() {
     let hand = Hand::material(each(|_| [0.0; 4])).with_environment(|points, renderer, results| {
-        let nested = trace(renderer, Effect::TraceEnvironment, points, true, |s| s.direction);
+        let nested = trace(renderer, Trace::Environment, points, true, |s| s.direction);
         for ((point, result), nested) in points.iter().zip(results).zip(nested) {
             assert_eq!((point.ray_type, point.dist), (RayType::Environment, 0.0));
             assert_eq!(nested, Answer::default());
@@ -128,7 +128,7 @@ fn environment_shaders_see_the_direction_and_never_recurse() {
     let state = State::default();
     let rays: Vec<_> = (0..8).map(|at| ask(&state, [0.0, 1.0 - at as f32, 0.0], at)).collect();
     let mut answers = vec![Answer::default(); 8];
-    context.trace(Effect::TraceEnvironment, &rays, &mut answers);
+    context.trace(Trace::Environment, &rays, &mut answers);
     assert_eq!(answers[0], Answer { color: [0.0, 1.0, 0.0, 1.0], ok: true, ..Answer::default() });
     // A zero direction sees nothing.
     assert_eq!(answers[1], Answer::default());
@@ -156,7 +156,7 @@ fn children_inherit_the_media_and_get_keys_of_their_own() {
     };
     let rays = [1, 2].map(|site| ask(&state, [0.0, 0.0, -1.0], site));
     let mut answers = [Answer::default(); 2];
-    context.trace(Effect::TraceRefraction, &rays, &mut answers);
+    context.trace(Trace::Refraction, &rays, &mut answers);
     let seen = seen.lock().unwrap();
     for child in &*seen {
         assert_eq!((child.ior, child.ior_in, child.time), (1.5, 1.25, 0.5));

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::effects::{LightSample, Renderer};
+use phenomenon_compiler::effects::{LightList, LightSample, Renderer};
 use phenomenon_compiler::state::{RayType, State};
 use phenomenon_runtime::geometry::{Mesh, ShadowTerminator, Transform};
 use phenomenon_runtime::lights::{Light, LightKind};
@@ -35,8 +35,21 @@ fn colors(scene: &Scene, names: &[&str], iteration: usize, points: &[State]) -> 
     let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
     let list = context.light_list(&names);
     let mut colors = vec![[9.0; 3]; points.len()];
-    context.light_colors(list, iteration, points, &mut colors);
+    let tokens = tokens(&mut context, list, iteration, points);
+    context.light_colors(points, &tokens, &mut colors);
     colors
+}
+
+/// The tokens by which a light is known at the points.
+fn tokens(
+    context: &mut Context<'_>,
+    list: LightList,
+    iteration: usize,
+    points: &[State],
+) -> Vec<u64> {
+    let mut samples = vec![LightSample::default(); points.len()];
+    context.light_samples(list, iteration, points, &mut samples);
+    samples.iter().map(|sample| sample.token).collect()
 }
 
 fn filter(color: [f32; 4]) -> Arc<Hand> {
@@ -114,7 +127,8 @@ fn behind_anything_opaque_no_filter_is_asked() {
     let mut context = Context::new(&scene, 8);
     let list = context.light_list(&[]);
     let mut colors = [[1.0; 3]];
-    context.light_colors(list, 0, &[floor_state(0.0)], &mut colors);
+    let tokens = tokens(&mut context, list, 0, &[floor_state(0.0)]);
+    context.light_colors(&[floor_state(0.0)], &tokens, &mut colors);
     assert_eq!(colors[0], [0.0; 3]);
     assert_eq!((context.counts().shadow, context.points()), (1, 0));
 }
@@ -131,7 +145,8 @@ fn the_second_filter_is_not_asked_once_the_first_is_black() {
     let mut context = Context::new(&scene, 8);
     let list = context.light_list(&[]);
     let mut colors = [[1.0; 3]];
-    context.light_colors(list, 0, &[floor_state(0.0)], &mut colors);
+    let tokens = tokens(&mut context, list, 0, &[floor_state(0.0)]);
+    context.light_colors(&[floor_state(0.0)], &tokens, &mut colors);
     assert_eq!((colors[0], context.points()), ([0.0; 3], 1));
 }
 

@@ -1,9 +1,8 @@
 //! Shaders written by hand, and scenes made of them.
 
-use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
-use phenomenon_compiler::effects::{Answer, Effect, Ray, Renderer};
+use phenomenon_compiler::effects::{Answer, Effect, EffectSet, LightSample, Ray, Renderer, Trace};
 use phenomenon_compiler::engine::{Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
@@ -60,8 +59,8 @@ impl Shade for Hand {
         self.body(root).is_some()
     }
 
-    fn effects(&self, _: RootKind) -> BTreeSet<Effect> {
-        Effect::ALL.into()
+    fn effects(&self, _: RootKind) -> EffectSet {
+        Effect::ALL.into_iter().collect()
     }
 
     fn shade(
@@ -115,7 +114,7 @@ pub fn ask(state: &State, direction: [f32; 3], site: u64) -> Ray {
 /// Traces one ray per point, all at once or one by one as `together` says.
 pub fn trace(
     renderer: &mut dyn Renderer,
-    effect: Effect,
+    kind: Trace,
     points: &[State],
     together: bool,
     direction: impl Fn(&State) -> [f32; 3],
@@ -123,10 +122,10 @@ pub fn trace(
     let rays: Vec<Ray> = points.iter().map(|point| ask(point, direction(point), 7)).collect();
     let mut answers = vec![Answer::default(); rays.len()];
     if together {
-        renderer.trace(effect, &rays, &mut answers);
+        renderer.trace(kind, &rays, &mut answers);
     } else {
         for (ray, answer) in rays.iter().zip(&mut answers) {
-            renderer.trace(effect, std::slice::from_ref(ray), std::slice::from_mut(answer));
+            renderer.trace(kind, std::slice::from_ref(ray), std::slice::from_mut(answer));
         }
     }
     answers
@@ -134,7 +133,7 @@ pub fn trace(
 
 pub fn mirror() -> Arc<Hand> {
     Arc::new(Hand::material(|points, renderer, results| {
-        let answers = trace(renderer, Effect::TraceReflection, points, true, mirrored);
+        let answers = trace(renderer, Trace::Reflection, points, true, mirrored);
         for (answer, result) in answers.iter().zip(results) {
             *result = Shaded { color: answer.color, ok: answer.ok };
         }
@@ -144,9 +143,9 @@ pub fn mirror() -> Arc<Hand> {
 /// Half reflected, half refracted, with a green shadow.
 pub fn glass(together: bool) -> Arc<Hand> {
     let material = Hand::material(move |points, renderer, results| {
-        let reflected = trace(renderer, Effect::TraceReflection, points, together, mirrored);
+        let reflected = trace(renderer, Trace::Reflection, points, together, mirrored);
         let refracted =
-            trace(renderer, Effect::TraceRefraction, points, together, |state| bent(state, 1.5));
+            trace(renderer, Trace::Refraction, points, together, |state| bent(state, 1.5));
         for (at, result) in results.iter_mut().enumerate() {
             let half = |k: usize| 0.3 * reflected[at].color[k] + 0.7 * refracted[at].color[k];
             *result = Shaded { color: [half(0), half(1), half(2), 1.0], ok: true };
@@ -173,7 +172,8 @@ pub fn matte(together: bool) -> Arc<Hand> {
                 let mut samples = vec![Default::default(); points.len()];
                 let mut colors = vec![[0.0; 3]; points.len()];
                 renderer.light_samples(list, light, points, &mut samples);
-                renderer.light_colors(list, light, points, &mut colors);
+                let tokens: Vec<u64> = samples.iter().map(|it: &LightSample| it.token).collect();
+                renderer.light_colors(points, &tokens, &mut colors);
                 for (at, point) in points.iter().enumerate() {
                     let cosine = dot(samples[at].direction, point.normal).max(0.0);
                     let even = (point.point[0].floor() + point.point[2].floor()) as i32 % 2 == 0;

@@ -3,10 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use phenomenon_compiler::effects::{
-    Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId,
-};
-use phenomenon_compiler::state::State;
+use phenomenon_compiler::effects::{Answer, Ray, Renderer, TextureId, Trace};
 use phenomenon_compiler::values::Texture;
 use phenomenon_runtime::texture::{TextureError, Textures};
 
@@ -28,7 +25,7 @@ impl EmptyScene {
 }
 
 impl Renderer for EmptyScene {
-    fn trace(&mut self, _: Effect, _: &[Ray], answers: &mut [Answer]) {
+    fn trace(&mut self, _: Trace, _: &[Ray], answers: &mut [Answer]) {
         answers.fill(Answer::default());
     }
 
@@ -46,21 +43,5 @@ impl Renderer for EmptyScene {
         for (at, color) in coordinates.iter().zip(colors) {
             *color = picture.and_then(|picture| picture.color(*at));
         }
-    }
-
-    fn light_list(&mut self, _: &[String]) -> LightList {
-        LightList(0)
-    }
-
-    fn light_count(&mut self, _: LightList) -> usize {
-        0
-    }
-
-    fn light_samples(&mut self, _: LightList, _: usize, _: &[State], samples: &mut [LightSample]) {
-        samples.fill(LightSample::default());
-    }
-
-    fn light_colors(&mut self, _: LightList, _: usize, _: &[State], colors: &mut [[f32; 3]]) {
-        colors.fill([0.0; 3]);
     }
 }

@@ -1,6 +1,6 @@
 //! Making instances of nodes whose inputs are all there, and opening scopes and loops.
 
-use crate::effects::Effect;
+use crate::effects::{Asked, Effect};
 use crate::kernels::BodyForms;
 use crate::nodes::Kind;
 use crate::specialise::keys::{mix_key, path_key};
@@ -8,15 +8,12 @@ use crate::specialise::reads::{LIGHT_LOOP_READS, light_fields};
 use crate::specialise::views::{Resolved, inconsistent};
 use crate::specialise::{
     Context, Demand, EpochId, EpochKind, FieldSet, InstanceKind, LightTable, SpecialiseError,
-    Uniforms,
+    Subject, Uniforms,
 };
 use crate::state::Field;
 use crate::values::Literal;
 
 use super::{Builder, Built, Frame, MAX_NESTED_LOOPS};
-
-/// Words of the answer to [`Effect::ReadTexture`]: a colour and whether it is one.
-const TEXTURE_WORDS: usize = 5;
 
 impl Builder<'_> {
     /// The epoch in which the frame's scoped input is evaluated; opened the first time.
@@ -183,41 +180,38 @@ impl Builder<'_> {
         name: &str,
     ) -> Result<Built, SpecialiseError> {
         let Frame { key: (view, epoch), words, mut demands, .. } = frame;
-        let texture = if effect == Effect::ReadTexture {
-            let Some(texture) = self.texture(view) else {
-                // Nothing is read, so nothing is asked: transparent black, not ok.
-                let zero = self.result.uniforms.constant(0);
-                return Ok(Built { words: vec![zero; TEXTURE_WORDS], demand: None });
-            };
-            Some(texture)
-        } else {
-            None
+        let subject = match effect.asked() {
+            Asked::Rays(_) => Some(Subject::Point),
+            Asked::Texels => self.texture(view).map(Subject::Texture),
+            Asked::LightColors => self.light(epoch),
+        };
+        let Some(subject) = subject else {
+            let words = effect.unasked().into_iter();
+            let words = words.map(|word| self.result.uniforms.constant(word)).collect();
+            return Ok(Built { words, demand: None });
         };
         let context = self.context(epoch, effect.reads(), &mut demands);
-        let table = (effect == Effect::LightColor).then(|| self.table(epoch)).flatten();
         let key = path_key(self.result.epochs.0[epoch].path_key, name);
         let loops = self.result.epochs.0[epoch].loops.clone();
-        let site = mix_key(key);
-        let kind = InstanceKind::Request { effect, context, site, loops, table, texture };
-        let outputs = (0..self.views.signature(view).outputs.len())
-            .map(|output| self.views.output_type(view, output).width())
-            .sum::<usize>();
-        let id = self.add(name, kind, epoch, demands, words, outputs as u32)?;
+        let kind = InstanceKind::Request { effect, context, site: mix_key(key), loops, subject };
+        let outputs = effect.answer_words() as u32;
+        let id = self.add(name, kind, epoch, demands, words, outputs)?;
         Ok(self.of_instance(id))
     }
 
-    /// The table in which light colours asked for in `epoch` are kept.
-    fn table(&mut self, epoch: EpochId) -> Option<usize> {
-        let in_loop = self.result.epochs.innermost_loop(epoch)?;
-        let EpochKind::Loop { list, .. } = self.result.epochs.0[in_loop].kind else { return None };
+    /// The light sample asked about in `epoch`, and the table in which its colours are kept.
+    fn light(&mut self, epoch: EpochId) -> Option<Subject> {
+        let of = self.result.epochs.innermost_loop(epoch)?;
+        let EpochKind::Loop { list, .. } = self.result.epochs.0[of].kind else { return None };
         // From the request outwards: a scope inside the loop that moves the point has its own table.
         let reads: FieldSet = LIGHT_LOOP_READS.into_iter().collect();
         let table = LightTable { list, epoch: self.result.epochs.effective(epoch, reads) };
         let known = self.result.tables.iter().position(|of| *of == table);
-        Some(known.unwrap_or_else(|| {
+        let table = known.unwrap_or_else(|| {
             self.result.tables.push(table);
             self.result.tables.len() - 1
-        }))
+        });
+        Some(Subject::Light { of, table })
     }
 
     /// Fields that scopes round `epoch` changed, among those read; their makers are demanded too.

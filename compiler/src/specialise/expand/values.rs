@@ -35,7 +35,7 @@ impl Builder<'_> {
                 } else {
                     let key = (source, self.result.epochs.effective(epoch, self.reads[source]));
                     let Some(built) = self.built.get(&key) else { return Ok(Err(key)) };
-                    let first = self.views.output_offset(source, output);
+                    let first = self.views.output_offset(source, output)?;
                     let words = built.words[first..first + from.width()].to_vec();
                     (Built { words, demand: built.demand }, from)
                 }

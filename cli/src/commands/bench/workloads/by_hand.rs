@@ -1,9 +1,7 @@
 //! A function of one point as something that shades batches.
 
-use std::collections::BTreeSet;
-
 use glam::Vec4;
-use phenomenon_compiler::effects::{Effect, Renderer};
+use phenomenon_compiler::effects::{EffectSet, Renderer};
 use phenomenon_compiler::engine::{Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
@@ -16,8 +14,8 @@ impl<F: Fn(&State) -> Vec4 + Send + Sync> Shade for ByHand<F> {
         root == RootKind::Material
     }
 
-    fn effects(&self, _: RootKind) -> BTreeSet<Effect> {
-        BTreeSet::new()
+    fn effects(&self, _: RootKind) -> EffectSet {
+        EffectSet::NONE
     }
 
     fn shade(&self, _: RootKind, points: &[State], _: &mut dyn Renderer, results: &mut [Shaded]) {

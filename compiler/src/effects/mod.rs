@@ -1,0 +1,11 @@
+//! What a shader may ask of the renderer, and the trait through which it asks.
+
+mod effect;
+mod lights;
+mod rays;
+mod renderer;
+
+pub use effect::{Asked, Effect, EffectSet, Part};
+pub use lights::{LightList, LightSample};
+pub use rays::{Answer, Ray, Trace};
+pub use renderer::{Renderer, TextureId};

@@ -1,0 +1,69 @@
+//! The renderer as engines see it.
+
+use crate::state::State;
+use crate::values::Texture;
+
+use super::lights::{LightList, LightSample};
+use super::rays::{Answer, Ray, Trace};
+
+/// A texture, resolved by the renderer from the file in a graph.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct TextureId(pub u32);
+
+/// The renderer as engines see it. Every call carries many points; an engine that runs one point
+/// at a time passes one. Answers may depend on the arguments only, never on order or grouping; of a
+/// state only the fields that [`Effect::reads`](super::Effect::reads) names may matter, and what the
+/// renderer itself keeps there.
+///
+/// A renderer without textures need not implement the calls for textures, one without lights not
+/// those for lights.
+pub trait Renderer {
+    /// Traces `rays` and writes one answer each.
+    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]);
+
+    /// The texture of a file. A renderer opens all of [`crate::engine::Shade::textures`] beforehand and
+    /// refuses to start where it cannot.
+    fn texture(&mut self, _texture: &Texture) -> TextureId {
+        TextureId(u32::MAX)
+    }
+
+    /// The colour (r, g, b, a) of `texture` at each pair of coordinates, the picture filling 0..1 in
+    /// both, the second upwards, and repeated outside; none where a coordinate is not finite, or there
+    /// is no such texture.
+    fn read_texture(
+        &mut self,
+        _texture: TextureId,
+        _coordinates: &[[f32; 2]],
+        colors: &mut [Option<[f32; 4]>],
+    ) {
+        colors.fill(None);
+    }
+
+    /// The list of the lights called `names`; no names means all lights of the scene.
+    fn light_list(&mut self, _names: &[String]) -> LightList {
+        LightList(0)
+    }
+
+    /// How many iterations a loop over `list` takes: its lights, each with its samples.
+    fn light_count(&mut self, _list: LightList) -> usize {
+        0
+    }
+
+    /// Where sample `iteration` of `list` lies as seen from each point. Casts no ray.
+    fn light_samples(
+        &mut self,
+        _list: LightList,
+        _iteration: usize,
+        _points: &[State],
+        samples: &mut [LightSample],
+    ) {
+        samples.fill(LightSample::default());
+    }
+
+    /// What the light sample with each point's token sends there, after shadows (r, g, b), divided by
+    /// the number of samples of its light: a loop only adds. The token is one that
+    /// [`Renderer::light_samples`] gave out for the point.
+    fn light_colors(&mut self, _points: &[State], _tokens: &[u64], colors: &mut [[f32; 3]]) {
+        colors.fill([0.0; 3]);
+    }
+}

@@ -1,0 +1,199 @@
+//! What must hold of a definition before a library takes it: engines rely on it and do not ask again.
+
+use crate::effects::{Effect, Part};
+use crate::emit::MAX_OUTPUTS;
+use crate::values::Type;
+
+use super::{Definition, Kind, Signature};
+
+/// What is wrong with a definition.
+#[derive(Debug, thiserror::Error, PartialEq, Eq)]
+pub enum DefinitionError {
+    /// The inputs of a request are not the arguments of its effect.
+    #[error("`{node}` asks `{effect}`, so its inputs have to be ({expected}), in this order")]
+    Arguments {
+        /// The node type.
+        node: String,
+        /// What it asks.
+        effect: &'static str,
+        /// What has to be given.
+        expected: String,
+    },
+    /// An output of a request is not part of the answer.
+    #[error("`{node}` has an output `{output}`, but `{effect}` answers ({answers})")]
+    Answer {
+        /// The node type.
+        node: String,
+        /// The output.
+        output: String,
+        /// What it asks.
+        effect: &'static str,
+        /// What comes back.
+        answers: String,
+    },
+    /// A body writes other words than the outputs, or the changed fields, have.
+    #[error("the body of `{node}` writes {written} words where {due} are due")]
+    Words {
+        /// The node type.
+        node: String,
+        /// Words the body writes.
+        written: usize,
+        /// Words that are read.
+        due: usize,
+    },
+    /// A body writes more words than engines have room for.
+    #[error("the body of `{node}` writes {written} words; at most {MAX_OUTPUTS} are possible")]
+    TooManyWords {
+        /// The node type.
+        node: String,
+        /// Words the body writes.
+        written: usize,
+    },
+    /// Not one place for a guard per input.
+    #[error("`{node}` has {inputs} inputs and places for {guards} guards")]
+    Guards {
+        /// The node type.
+        node: String,
+        /// Inputs of the signature.
+        inputs: usize,
+        /// Guards of a form.
+        guards: usize,
+    },
+}
+
+impl Definition {
+    /// Whether engines can run it.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with it.
+    pub fn check(&self) -> Result<(), DefinitionError> {
+        let signature = &self.signature;
+        if let Kind::Request(effect) = &signature.kind {
+            check_request(signature, *effect)?;
+        }
+        for overload in &self.overloads {
+            let node = || signature.name.to_owned();
+            let (inputs, guards) = (signature.inputs.len(), overload.guards.len());
+            if inputs != guards {
+                return Err(DefinitionError::Guards { node: node(), inputs, guards });
+            }
+            // A phenomenon has no body of its own.
+            let Some(code) = overload.code else { continue };
+            let written = code.outputs;
+            let due = words_due(signature, overload.generic);
+            if written != due {
+                return Err(DefinitionError::Words { node: node(), written, due });
+            }
+            if written > MAX_OUTPUTS {
+                return Err(DefinitionError::TooManyWords { node: node(), written });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Words a body has to write.
+fn words_due(signature: &Signature, generic: Option<Type>) -> usize {
+    let settled = |of: Type| if of == Type::Generic { generic.unwrap_or(of) } else { of };
+    match &signature.kind {
+        Kind::Scope(fields) => fields.iter().map(|field| field.value_type().width()).sum(),
+        _ => signature.outputs.iter().map(|output| settled(output.value_type).width()).sum(),
+    }
+}
+
+fn check_request(signature: &Signature, effect: Effect) -> Result<(), DefinitionError> {
+    let inputs = signature.inputs.iter();
+    let given = inputs.map(|input| Part { name: input.name, value_type: input.value_type });
+    if !given.eq(effect.arguments().iter().copied()) {
+        return Err(DefinitionError::Arguments {
+            node: signature.name.to_owned(),
+            effect: effect.name(),
+            expected: listed(effect.arguments()),
+        });
+    }
+    for output in &signature.outputs {
+        let part = Part { name: output.name, value_type: output.value_type };
+        if !effect.answers().contains(&part) {
+            return Err(DefinitionError::Answer {
+                node: signature.name.to_owned(),
+                output: format!("{}: {}", output.name, output.value_type.name()),
+                effect: effect.name(),
+                answers: listed(effect.answers()),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// `color: color, ok: boolean`.
+fn listed(parts: &[Part]) -> String {
+    let part = |part: &Part| format!("{}: {}", part.name, part.value_type.name());
+    parts.iter().map(part).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::nodes::NodeLibrary;
+
+    fn standard(name: &str) -> Definition {
+        let library = NodeLibrary::standard();
+        library.definition(library.find(name).expect("a standard node")).clone()
+    }
+
+    #[test]
+    fn a_request_takes_the_arguments_of_its_effect() {
+        let mut probe = standard("trace_probe");
+        assert_eq!(probe.check(), Ok(()));
+        probe.signature.inputs.swap(0, 1);
+        let error = probe.check().expect_err("the origin comes second");
+        let expected = "`trace_probe` asks `trace_probe`, so its inputs have to be (direction: \
+                        vector, origin: vector), in this order";
+        assert_eq!(error.to_string(), expected);
+    }
+
+    #[test]
+    fn a_request_yields_some_of_the_answer() {
+        let mut trace = standard("trace_reflection");
+        trace.signature.outputs.truncate(1);
+        assert_eq!(trace.check(), Ok(()));
+        trace.signature.outputs[0].value_type = Type::Vector;
+        let error = trace.check().expect_err("a colour is no vector");
+        let expected = "`trace_reflection` has an output `color: vector`, but `trace_reflection` \
+                        answers (color: color, ok: boolean, hit: boolean, distance: scalar)";
+        assert_eq!(error.to_string(), expected);
+    }
+
+    #[test]
+    fn a_body_writes_what_the_outputs_read() {
+        let mut cross = standard("cross");
+        cross.signature.outputs[0].value_type = Type::Color;
+        let error = cross.check().expect_err("a colour has four words");
+        assert_eq!(error.to_string(), "the body of `cross` writes 3 words where 4 are due");
+        let mut cross = standard("cross");
+        cross.overloads[0].guards.pop();
+        let error = cross.check().expect_err("a place for a guard is missing");
+        assert_eq!(error.to_string(), "`cross` has 2 inputs and places for 1 guards");
+    }
+
+    #[test]
+    fn a_body_writes_no_more_than_there_is_room_for() {
+        let mut cross = standard("cross");
+        let output = cross.signature.outputs[0].clone();
+        cross.signature.outputs = vec![output; 22];
+        cross.overloads[0].code.as_mut().expect("a body").outputs = 66;
+        let error = cross.check().expect_err("there is room for 64");
+        assert_eq!(
+            error.to_string(),
+            "the body of `cross` writes 66 words; at most 64 are possible"
+        );
+    }
+
+    #[test]
+    #[should_panic(expected = "has an output `depth: scalar`")]
+    fn a_library_refuses_what_cannot_be_run() {
+        let mut trace = standard("trace_reflection");
+        trace.signature.outputs[3].name = "depth";
+        NodeLibrary::standard().add(trace);
+    }
+}
