@@ -26,13 +26,16 @@ pub fn random_graph(
     growing.finish()
 }
 
-/// A value of some parameter or other: of the right type, as hard as literals are.
+/// A value of some parameter or other: of the right type and within its range, else as hard as literals
+/// are. None where none was found soon.
 pub fn random_value(random: &mut Random, graph: &Graph) -> Option<(String, Literal)> {
     if graph.parameters.is_empty() {
         return None;
     }
     let parameter = &graph.parameters[random.below(graph.parameters.len())];
-    Some((parameter.name.clone(), random.literal(parameter.value_type)))
+    let mut tries = (0..50).map(|_| random.literal(parameter.value_type));
+    let value = tries.find(|value| graph.bind_literal(&parameter.name, value).is_ok())?;
+    Some((parameter.name.clone(), value))
 }
 
 struct Growing<'a> {
