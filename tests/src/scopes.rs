@@ -13,7 +13,6 @@ pub fn with_more_scopes() -> NodeLibrary {
 
 /// The node `enter_medium`.
 pub mod enter_medium {
-    use phenomenon_compiler::emit::Emit;
     use phenomenon_compiler::node;
     use phenomenon_compiler::nodes::{BLACK, state};
     use phenomenon_compiler::state::Field;
@@ -37,17 +36,12 @@ pub mod enter_medium {
             /// The value of `input`.
             color: color;
         }
-    }
-
-    #[inline(always)]
-    fn body<E: Emit>(_: E, i: &Inputs<E>) -> Changes<E> {
-        Changes { ior: i.ior, ior_in: i.ior_in }
+        body |e, i| Changes { ior: i.ior, ior_in: i.ior_in }
     }
 }
 
 /// The node `turn`.
 pub mod turn {
-    use phenomenon_compiler::emit::Emit;
     use phenomenon_compiler::node;
     use phenomenon_compiler::nodes::{BLACK, state};
     use phenomenon_compiler::state::Field;
@@ -71,10 +65,6 @@ pub mod turn {
             /// The value of `input`.
             color: color;
         }
-    }
-
-    #[inline(always)]
-    fn body<E: Emit>(_: E, i: &Inputs<E>) -> Changes<E> {
-        Changes { direction: i.direction, time: i.time }
+        body |e, i| Changes { direction: i.direction, time: i.time }
     }
 }

@@ -4,9 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use crate::graph::{Binding, Graph, Root, RootKind};
-use crate::nodes::{
-    DefaultValue, Definition, FINITE, Input, Kind, NodeLibrary, Output, Overload, Signature,
-};
+use crate::nodes::{Definition, Input, Kind, NodeLibrary, Output, Signature};
 use crate::values::Type;
 
 use super::shape::Shape;
@@ -74,40 +72,25 @@ impl Nested {
             .graph
             .parameters
             .iter()
-            .map(|parameter| Input {
-                name: interned(&parameter.name),
-                doc: parameter.doc.clone(),
-                value_type: parameter.value_type,
-                default: DefaultValue::Literal(parameter.default.clone()),
-                range: parameter.range.clone(),
-                avoid: None,
-                guarded: false,
-                scoped: false,
-                list: false,
+            .map(|parameter| {
+                let default = parameter.default.clone();
+                let input =
+                    Input::new(interned(&parameter.name), &[], parameter.value_type, default);
+                Input { doc: parameter.doc.clone(), ..input.within(parameter.range.clone()) }
             })
             .collect();
-        let output = |name, doc: &str, value_type| Output {
-            name,
-            doc: doc.into(),
-            value_type,
-            range: FINITE,
-        };
-        let guards = vec![None; inputs.len()];
-        Definition {
-            signature: Signature {
-                name: interned(path),
-                group: "phenomena",
-                doc: self.graph.doc.clone(),
-                source: "",
-                inputs,
-                outputs: vec![
-                    output("color", "The value of its root.", Type::Color),
-                    output("ok", "Whether its root yields a value at all.", Type::Boolean),
-                ],
-                kind: Kind::Plain,
-            },
-            overloads: vec![Overload { generic: None, code: None, guards }],
-        }
+        Definition::without_body(Signature {
+            name: interned(path),
+            group: "phenomena",
+            doc: self.graph.doc.clone(),
+            source: "",
+            inputs,
+            outputs: vec![
+                Output::new("color", &["The value of its root."], Type::Color),
+                Output::new("ok", &["Whether its root yields a value at all."], Type::Boolean),
+            ],
+            kind: Kind::Plain,
+        })
     }
 }
 

@@ -290,6 +290,50 @@ fn undemanded_inputs_do_not_show() {
     });
 }
 
+/// The inputs of one component: of generic ones that word, of others all.
+fn alone(definition: &Definition, trial: &Trial, point: &[u32], component: usize) -> Vec<u32> {
+    let inputs = definition.signature.inputs.iter().zip(&trial.places);
+    inputs
+        .flat_map(|(input, &(first, width))| match input.value_type {
+            Type::Generic => &point[first + component..][..1],
+            _ => &point[first..][..width],
+        })
+        .copied()
+        .collect()
+}
+
+#[test]
+fn nodes_per_component_take_each_alone_and_keep_the_alpha_of_the_first() {
+    let mut tried = 0;
+    every_overload(|definition, overload, code| {
+        if !definition.per_component {
+            return;
+        }
+        tried += 1;
+        let name = definition.signature.name;
+        let generic = |input: &super::Input| input.value_type == Type::Generic;
+        assert!(generic(&definition.signature.inputs[0]), "{name}: alpha comes from there");
+        let of_one = (definition.overloads.iter())
+            .find(|form| form.generic == Some(Type::Scalar))
+            .and_then(|form| form.code)
+            .expect("numbers have a form");
+        for anywhere in [false, true] {
+            let trial = Trial::new(definition, overload, anywhere);
+            let outputs = trial.points_by(code.scalar, code.outputs);
+            for (point, words) in trial.points.iter().zip(&outputs) {
+                for component in 0..words.len().min(3) {
+                    let mut result = [0];
+                    (of_one.scalar)(&alone(definition, &trial, point, component), &mut result);
+                    let word = &words[component..][..1];
+                    assert_eq!(canonical(word), canonical(&result), "{name} at {point:x?}");
+                }
+                assert_eq!(words.get(3), (words.len() == 4).then(|| &point[3]), "{name}: alpha");
+            }
+        }
+    });
+    assert!(tried >= 3 * 20, "{tried} forms are per component");
+}
+
 #[test]
 fn signatures_are_sound() {
     let library = NodeLibrary::standard();

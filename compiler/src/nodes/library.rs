@@ -3,9 +3,10 @@
 use std::collections::HashMap;
 
 use crate::kernels::BodyForms;
+use crate::state::Field;
 use crate::values::Type;
 
-use super::Signature;
+use super::{Kind, Output, Signature};
 
 /// A node for one type of its generic inputs, or the only form of a node without them.
 #[derive(Clone, Debug)]
@@ -25,6 +26,45 @@ pub struct Definition {
     pub signature: Signature,
     /// What engines run.
     pub overloads: Vec<Overload>,
+    /// Whether each component of the one output comes from those components of the inputs, and a
+    /// colour has the alpha of the first.
+    pub per_component: bool,
+}
+
+impl Definition {
+    /// A node the engines or the checker evaluate without a body: in one form for each type of its
+    /// generic inputs.
+    pub fn without_body(signature: Signature) -> Self {
+        let guards = vec![None; signature.inputs.len()];
+        let overload = |generic| Overload { generic, code: None, guards: guards.clone() };
+        let overloads = if signature.is_generic() {
+            [Type::Scalar, Type::Vector, Type::Color].map(|known| overload(Some(known))).into()
+        } else {
+            vec![overload(None)]
+        };
+        Self { signature, overloads, per_component: false }
+    }
+
+    /// A node whose outputs are fields of the state, by these names.
+    pub fn of_fields(
+        name: &'static str,
+        doc: &str,
+        fields: impl IntoIterator<Item = (&'static str, Field)>,
+    ) -> Self {
+        let (names, fields): (Vec<_>, Vec<_>) = fields.into_iter().unzip();
+        let output = |(&name, field): (&&'static str, &Field)| {
+            Output::new(name, &[field.doc()], field.value_type())
+        };
+        Self::without_body(Signature {
+            name,
+            group: "state",
+            doc: doc.into(),
+            source: "mental ray manual, miState",
+            inputs: Vec::new(),
+            outputs: names.iter().zip(&fields).map(output).collect(),
+            kind: Kind::Fields(fields),
+        })
+    }
 }
 
 /// Position of a node type in its [`NodeLibrary`].

@@ -1,368 +1,317 @@
-//! The [`node!`](crate::node) macro: a node's signature, and the structures its body takes and
-//! returns.
+//! The [`node!`](crate::node) macro: a node's signature, and its body compiled for every type it
+//! takes.
 
-/// Declares a node in its file: `definition()` for the list, and the structures `Inputs<E>` and
-/// `Outputs<E>` for `fn body<E: Emit>(emit: E, inputs: &Inputs<E>) -> Outputs<E>`, an ordinary
-/// function below the macro.
+/// Declares a node in its file: its header, from which come the signature and the structures
+/// `Inputs` and `Outputs`, and its body. What the list of nodes holds of it is `definition()`.
 ///
-/// Inputs stand in the order in which they are demanded. An input with `when guard` is demanded
-/// only where `fn guard<E: Emit>(emit: E, inputs: &Inputs<E>) -> E::Mask` holds; the guard may look
-/// at earlier inputs only. A body must not let an input that was not demanded show in its outputs.
-/// `avoid zero` and `avoid negative` mark inputs that take any number, but mean nothing with such.
+/// ```
+/// mod halve {
+///     use phenomenon_compiler::emit::Mask;
+///     use phenomenon_compiler::node;
 ///
-/// After the group's name may stand `generic` (bodies over `T: Components<E::Real>`, used with
-/// scalar, vector and color inputs; all outputs generic), `request Effect` (no body), or
-/// `scope [Field, …]` (the body returns `Changes<E>`, one for each field in order, and the `scoped`
-/// input is evaluated under them).
+///     node! {
+///         /// Half of a number.
+///         halve in arithmetic,
+///         source "",
+///         inputs {
+///             /// Whether it is wanted.
+///             sure: boolean = true;
+///             /// What is halved.
+///             input: scalar = 1.0, when i.sure, in 0.0..=8.0;
+///         }
+///         outputs {
+///             /// The half.
+///             result: scalar, in 0.0..=4.0;
+///         }
+///         body |e, i| Outputs { result: i.sure.select(i.input * 0.5, e.real(0.0)) }
+///     }
+/// }
+///
+/// assert_eq!(halve::definition().signature.inputs[1].range, 0.0..=8.0);
+/// ```
+///
+/// **Kinds**, after the group's name:
+///
+/// * none: the body yields `Outputs`;
+/// * `generic`: the same, over `T: Components<E::Real>` for scalar, vector and color inputs;
+/// * `per component`: the body yields the one output's component from the inputs' components. The
+///   first input is generic, and of a colour its alpha passes unchanged: bodies never see alpha;
+/// * `request Effect`: asks the renderer, and has no body;
+/// * `scope [Field, …]`: the body yields `Changes`, one for each field in order, and the input under
+///   `scoped` is evaluated under them;
+/// * `structural [Kind]`: the engines or the checker know what to do, and there is no body.
+///
+/// **Annotations** of an input, in any order: `in RANGE`, `avoid zero` or `avoid negative` (taken,
+/// but hardly meant), `when CONDITION`, `list`. An output has `in RANGE`. Others are refused:
+///
+/// ```compile_fail
+/// mod halve {
+///     use phenomenon_compiler::emit::Mask;
+///     use phenomenon_compiler::node;
+///
+///     node! {
+///         /// Half of a number.
+///         halve in arithmetic,
+///         source "",
+///         inputs {
+///             /// Whether it is wanted.
+///             sure: boolean = true;
+///             /// What is halved.
+///             input: scalar = 1.0, when i.sure, within 0.0..=8.0;
+///         }
+///         outputs {
+///             /// The half.
+///             result: scalar, in 0.0..=4.0;
+///         }
+///         body |e, i| Outputs { result: i.sure.select(i.input * 0.5, e.real(0.0)) }
+///     }
+/// }
+/// ```
+///
+/// Inputs stand in the order in which they are demanded. One with `when` is demanded only where its
+/// condition holds, which may look at earlier inputs only. A body must not let an input that was not
+/// demanded show in its outputs. Bodies and conditions are functions of the back end and the inputs,
+/// called as in `body |e, i|`, and always inlined; functions they call must be `#[inline(always)]`.
 #[macro_export]
 macro_rules! node {
-    // ---- generic nodes: one body, three types
     (
         $(#[doc = $doc:literal])+
-        $name:ident in $group:ident generic, source $source:literal,
-        inputs { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, in $irange:expr)? $(, avoid $avoid:ident)? $(, when $guard:ident)?;)* }
-        outputs { $($(#[doc = $odoc:literal])+ $output:ident : generic $(, in $orange:expr)?;)+ }
+        $name:ident in $group:ident $($kind:ident)* $([$($of:tt)+])?, source $source:literal,
+        inputs { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, $iword:ident $($ivalue:expr)?)*;)* }
+        $(scoped { $(#[doc = $sdoc:literal])+ $scoped:ident : $stype:ident = $sdefault:expr $(, $sword:ident $($svalue:expr)?)*; })?
+        $(changes { $($change:ident : $ctype:ident;)+ })?
+        outputs { $($(#[doc = $odoc:literal])+ $output:ident : $otype:ident $(, $oword:ident $($ovalue:expr)?)*;)+ }
+        $(body |$e:ident, $i:ident| $body:expr)?
     ) => {
-        /// What arrives at the node.
-        #[expect(clippy::allow_attributes, reason = "a node may have no use for some of it")]
-        #[allow(dead_code, reason = "a guard may be all that looks at an input")]
-        struct Inputs<E: $crate::emit::Emit, T> {
-            $($input: $crate::node!(@generic_type E, T, $itype),)*
-            back_end: std::marker::PhantomData<(E, T)>,
-        }
-
-        /// What the node yields.
-        struct Outputs<T> {
-            $($output: T,)+
-        }
-
-        $crate::node!(@generic_body ScalarBody, One, [$($input : $itype,)*], [$($output : generic,)+]);
-        $crate::node!(@generic_body VectorBody, Vector, [$($input : $itype,)*], [$($output : generic,)+]);
-        $crate::node!(@generic_body ColorBody, Color, [$($input : $itype,)*], [$($output : generic,)+]);
+        $crate::node!(@code [$($kind)*] [$($e $i $body)?]
+            [$($input : $itype [$($iword [$($ivalue)?])*];)*] [$($scoped)?]
+            [$($($change : $ctype;)+)?] [$($output : $otype;)+]);
 
         /// What the list of nodes holds of this node.
         pub fn definition() -> $crate::nodes::Definition {
-            $crate::nodes::Definition {
-                signature: $crate::node!(@signature [$($doc)+] $name $group $source,
-                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [$($avoid)?] [$($guard)?] [];)*]
-                    [$($output [$($odoc)+] generic [$($orange)?];)+]
-                    $crate::nodes::Kind::Plain),
-                overloads: vec![
-                    $crate::nodes::Overload { generic: Some($crate::values::Type::Scalar), code: Some($crate::kernels::BodyForms::of::<ScalarBody>()), guards: $crate::node!(@generic_guards One [$($input : $itype,)*] [$([$($guard)?])*]) },
-                    $crate::nodes::Overload { generic: Some($crate::values::Type::Vector), code: Some($crate::kernels::BodyForms::of::<VectorBody>()), guards: $crate::node!(@generic_guards Vector [$($input : $itype,)*] [$([$($guard)?])*]) },
-                    $crate::nodes::Overload { generic: Some($crate::values::Type::Color), code: Some($crate::kernels::BodyForms::of::<ColorBody>()), guards: $crate::node!(@generic_guards Color [$($input : $itype,)*] [$([$($guard)?])*]) },
+            let signature = $crate::nodes::Signature {
+                name: stringify!($name),
+                group: stringify!($group),
+                doc: $crate::nodes::paragraph(&[$($doc),+]),
+                source: $source,
+                inputs: vec![
+                    $($crate::node!(@input $input [$($idoc)+] $itype [$default] [$($iword [$($ivalue)?])*]),)*
+                    $($crate::node!(@input $scoped [$($sdoc)+] $stype [$sdefault] [$($sword [$($svalue)?])*]).scoped(),)?
                 ],
-            }
+                outputs: vec![$($crate::node!(@output $output [$($odoc)+] $otype [$($oword [$($ovalue)?])*]),)+],
+                kind: $crate::node!(@kind [$($kind)*] [$($($of)+)?]),
+            };
+            define(signature)
         }
     };
 
-    // ---- requests: no body
-    (
-        $(#[doc = $doc:literal])+
-        $name:ident in $group:ident request $effect:ident, source $source:literal,
-        inputs { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, in $irange:expr)?;)* }
-        outputs { $($(#[doc = $odoc:literal])+ $output:ident : $otype:ident $(, in $orange:expr)?;)+ }
-    ) => {
-        /// What the list of nodes holds of this node.
-        pub fn definition() -> $crate::nodes::Definition {
-            $crate::nodes::Definition {
-                signature: $crate::node!(@signature [$($doc)+] $name $group $source,
-                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [] [] [];)*]
-                    [$($output [$($odoc)+] $otype [$($orange)?];)+]
-                    $crate::nodes::Kind::Request($crate::effects::Effect::$effect)),
-                overloads: vec![$crate::nodes::Overload {
-                    generic: None,
-                    code: None,
-                    guards: vec![$($crate::node!(@nothing $input),)*],
-                }],
+    // ---- kinds: what each has for code, which is `define`
+    (@code [request $effect:ident] $($rest:tt)*) => { $crate::node!(@bodiless $($rest)*); };
+    (@code [structural] $($rest:tt)*) => { $crate::node!(@bodiless $($rest)*); };
+    (@bodiless [] $($rest:tt)*) => {
+        fn define(signature: $crate::nodes::Signature) -> $crate::nodes::Definition {
+            $crate::nodes::Definition::without_body(signature)
+        }
+    };
+    (@code [] [$e:ident $i:ident $body:expr] $inputs:tt [] [] $outputs:tt) => {
+        $crate::node!(@structure Inputs "What arrives at the node." $inputs);
+        $crate::node!(@structure Outputs "What the node yields." $outputs);
+        $crate::node!(@function body plain $e $i Outputs<E>, $body);
+        $crate::node!(@run [] $crate::nodes::ports::scalar, $inputs $outputs);
+        $crate::node!(@plain $e $i $inputs);
+    };
+    (@code [scope] [$e:ident $i:ident $body:expr] $inputs:tt [$scoped:ident] $changes:tt $outputs:tt) => {
+        $crate::node!(@structure Inputs "What arrives at the node." $inputs);
+        $crate::node!(@structure Changes "What the scope changes." $changes);
+        $crate::node!(@function body plain $e $i Changes<E>, $body);
+        $crate::node!(@run [] $crate::nodes::ports::scalar, $inputs $changes);
+        $crate::node!(@plain $e $i $inputs);
+    };
+    (@code [generic] [$e:ident $i:ident $body:expr] $inputs:tt [] [] $outputs:tt) => {
+        $crate::node!(@structure Inputs "What arrives at the node." $inputs);
+        $crate::node!(@structure Outputs "What the node yields." $outputs);
+        $crate::node!(@function body generic $e $i Outputs<E, T>, $body);
+        $crate::node!(@run [S: $crate::nodes::ports::Shape] S, $inputs $outputs);
+        $crate::node!(@generic $e $i $inputs false);
+    };
+    (@code [per component] [$e:ident $i:ident $body:expr] $inputs:tt [] [] [$output:ident : generic;]) => {
+        $crate::node!(@structure Inputs "What arrives at the node." $inputs);
+        $crate::node!(@function component component $e $i E::Real, $body);
+        $crate::node!(@run_components $inputs $inputs);
+        $crate::node!(@generic $e $i $inputs true);
+    };
+    (@code [$($kind:ident)*] $($rest:tt)*) => {
+        compile_error!(concat!(
+            "no node is of the kind `", stringify!($($kind)*), "` with these parts: there are none, `generic` \
+             and `per component` (one generic output) with a body, `scope [FIELD, …]` with scoped input, \
+             changes and a body, and `request EFFECT` and `structural [KIND]` without one"
+        ));
+    };
+
+    // ---- overloads
+    (@plain $e:ident $i:ident $inputs:tt) => {
+        fn define(signature: $crate::nodes::Signature) -> $crate::nodes::Definition {
+            let mut guards = $crate::node!(@guards [] $crate::nodes::ports::scalar, plain $e $i $inputs $inputs);
+            // A scoped input stands last, and has none.
+            guards.resize(signature.inputs.len(), None);
+            let code = Some($crate::kernels::BodyForms::of::<NodeBody<$crate::nodes::ports::scalar>>());
+            let overloads = vec![$crate::nodes::Overload { generic: None, code, guards }];
+            $crate::nodes::Definition { signature, overloads, per_component: false }
+        }
+    };
+    (@generic $e:ident $i:ident $inputs:tt $per_component:literal) => {
+        fn overload<S: $crate::nodes::ports::Shape>() -> $crate::nodes::Overload {
+            $crate::nodes::Overload {
+                generic: Some(S::TYPE),
+                code: Some($crate::kernels::BodyForms::of::<NodeBody<S>>()),
+                guards: $crate::node!(@guards [S: $crate::nodes::ports::Shape] S, generic $e $i $inputs $inputs),
             }
+        }
+
+        fn define(signature: $crate::nodes::Signature) -> $crate::nodes::Definition {
+            use $crate::nodes::ports::{color, scalar, vector};
+            let overloads = vec![overload::<scalar>(), overload::<vector>(), overload::<color>()];
+            $crate::nodes::Definition { signature, overloads, per_component: $per_component }
         }
     };
 
-    // ---- scopes: the body yields changed fields
-    (
-        $(#[doc = $doc:literal])+
-        $name:ident in $group:ident scope [$($field:ident),+ $(,)?], source $source:literal,
-        inputs { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, in $irange:expr)?;)* }
-        scoped { $(#[doc = $sdoc:literal])+ $scoped:ident : $stype:ident = $sdefault:expr $(, in $srange:expr)?; }
-        changes { $($change:ident : $ctype:ident;)+ }
-        outputs { $($(#[doc = $odoc:literal])+ $output:ident : $otype:ident $(, in $orange:expr)?;)+ }
-    ) => {
-        $crate::node!(@inputs [$($input : $itype,)*]);
-        $crate::node!(@structure Changes "What the scope changes." [$($change : $ctype,)+]);
-        $crate::node!(@body Changes, [$($input : $itype,)*], [$($change : $ctype,)+]);
-
-        /// What the list of nodes holds of this node.
-        pub fn definition() -> $crate::nodes::Definition {
-            $crate::nodes::Definition {
-                signature: $crate::node!(@signature [$($doc)+] $name $group $source,
-                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [] [] [];)* $scoped [$($sdoc)+] $stype [$sdefault] [$($srange)?] [] [] [scoped];]
-                    [$($output [$($odoc)+] $otype [$($orange)?];)+]
-                    $crate::nodes::Kind::Scope(vec![$($crate::state::Field::$field),+])),
-                overloads: vec![$crate::nodes::Overload {
-                    generic: None,
-                    code: Some($crate::kernels::BodyForms::of::<NodeBody>()),
-                    guards: vec![$($crate::node!(@nothing $input),)* None],
-                }],
-            }
-        }
-    };
-
-    // ---- plain nodes
-    (
-        $(#[doc = $doc:literal])+
-        $name:ident in $group:ident, source $source:literal,
-        inputs { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, in $irange:expr)? $(, avoid $avoid:ident)? $(, when $guard:ident)?;)* }
-        outputs { $($(#[doc = $odoc:literal])+ $output:ident : $otype:ident $(, in $orange:expr)?;)+ }
-    ) => {
-        $crate::node!(@inputs [$($input : $itype,)*]);
-        $crate::node!(@structure Outputs "What the node yields." [$($output : $otype,)+]);
-        $crate::node!(@body Outputs, [$($input : $itype,)*], [$($output : $otype,)+]);
-
-        /// What the list of nodes holds of this node.
-        pub fn definition() -> $crate::nodes::Definition {
-            $crate::nodes::Definition {
-                signature: $crate::node!(@signature [$($doc)+] $name $group $source,
-                    [$($input [$($idoc)+] $itype [$default] [$($irange)?] [$($avoid)?] [$($guard)?] [];)*]
-                    [$($output [$($odoc)+] $otype [$($orange)?];)+]
-                    $crate::nodes::Kind::Plain),
-                overloads: vec![$crate::nodes::Overload {
-                    generic: None,
-                    code: Some($crate::kernels::BodyForms::of::<NodeBody>()),
-                    guards: $crate::node!(@guards [$($input : $itype,)*] [$([$($guard)?])*]),
-                }],
-            }
-        }
-    };
-
-    // ---- parts
-    (@structure $structure:ident $doc:literal [$($field:ident : $type:ident,)*]) => {
+    // ---- code
+    (@structure $structure:ident $doc:literal [$($field:ident : $type:ident $([$($annotation:tt)*])?;)*]) => {
         #[doc = $doc]
-        struct $structure<E: $crate::emit::Emit> {
-            $($field: $crate::node!(@type E, $type),)*
+        struct $structure<E: $crate::emit::Emit, T: Copy = $crate::emit::One<<E as $crate::emit::Emit>::Real>> {
+            $($field: <$crate::nodes::ports::$type as $crate::nodes::ports::Port>::Value<E, T>,)*
         }
     };
-    (@inputs [$($field:ident : $type:ident,)*]) => {
-        /// What arrives at the node.
-        #[expect(clippy::allow_attributes, reason = "a node may have no use for some of it")]
-        #[allow(dead_code, reason = "a guard may be all that looks at an input")]
-        struct Inputs<E: $crate::emit::Emit> {
-            $($field: $crate::node!(@type E, $type),)*
-            back_end: std::marker::PhantomData<E>,
+    // The names of back end and inputs are the node's, so that its expressions see them.
+    (@function $function:ident plain $e:ident $i:ident $result:ty, $body:expr) => {
+        #[inline(always)]
+        fn $function<E: $crate::emit::Emit>($e: E, $i: &Inputs<E>) -> $result {
+            let _ = ($e, $i);
+            $body
         }
     };
-    (@body $result:ident, [$($input:ident : $itype:ident,)*], [$($output:ident : $otype:ident,)+]) => {
-        struct NodeBody;
-
-        impl $crate::emit::Body for NodeBody {
-            const OUTPUTS: usize = 0 $(+ $crate::node!(@width $otype))+;
-            #[inline(always)]
-            fn run<E: $crate::emit::Emit>(
-                emit: E,
-                words: &impl $crate::emit::Words<E>,
-                sink: &mut impl $crate::emit::Sink<E>,
-            ) {
-                let inputs = $crate::node!(@read E, emit, words, [$($input : $itype,)*]);
-                let result: $result<E> = body(emit, &inputs);
-                let mut at = 0;
-                $($crate::node!(@write sink, at, result.$output, $otype);)+
-                let _ = at;
-            }
+    (@function $function:ident generic $e:ident $i:ident $result:ty, $body:expr) => {
+        #[inline(always)]
+        fn $function<E: $crate::emit::Emit, T: $crate::emit::Components<E::Real>>($e: E, $i: &Inputs<E, T>) -> $result {
+            let _ = ($e, $i);
+            $body
         }
     };
-    (@read $e:ident, $emit:ident, $words:ident, [$($input:ident : $itype:ident,)*]) => {{
+    (@function $function:ident component $e:ident $i:ident $result:ty, $body:expr) => {
+        #[inline(always)]
+        fn $function<E: $crate::emit::Emit>($e: E, $i: &Inputs<E, E::Real>) -> $result {
+            let _ = ($e, $i);
+            $body
+        }
+    };
+    (@load $shape:ty, $words:ident, [$($input:ident : $itype:ident $annotations:tt;)*]) => {{
         let mut at = 0;
-        let inputs = Inputs::<$e> {
-            $($input: $crate::node!(@load $emit, $words, at, $itype),)*
-            back_end: std::marker::PhantomData,
+        let inputs = Inputs::<E, <$shape as $crate::nodes::ports::Shape>::Of<E>> {
+            $($input: {
+                let value = <$crate::nodes::ports::$itype as $crate::nodes::ports::Port>::load::<E, $shape>($words, at);
+                at += const { $crate::nodes::ports::width::<$crate::nodes::ports::$itype, $shape>() };
+                value
+            },)*
         };
-        let _ = (at, inputs.back_end);
+        let _ = at;
         inputs
     }};
-    (@generic_read $shape:ident, $e:ident, $emit:ident, $words:ident, [$($input:ident : $itype:ident,)*]) => {{
-        let mut at = 0;
-        let inputs = Inputs::<$e, $crate::emit::$shape<$e::Real>> {
-            $($input: $crate::node!(@generic_load $shape, $emit, $words, at, $itype),)*
-            back_end: std::marker::PhantomData,
-        };
-        let _ = (at, inputs.back_end);
-        inputs
-    }};
-    (@generic_body $body:ident, $shape:ident, [$($input:ident : $itype:ident,)*], [$($output:ident : $otype:ident,)+]) => {
-        struct $body;
+    (@body_impl [$($bound:tt)*] $body:ident $shape:ty, $outputs:expr, |$emit:ident, $words:ident, $sink:ident| $run:block) => {
+        struct $body<S>(std::marker::PhantomData<S>);
 
-        impl $crate::emit::Body for $body {
-            const OUTPUTS: usize = 0 $(+ $crate::node!(@generic_width $shape, $otype))+;
+        impl<$($bound)*> $crate::emit::Body for $body<$shape> {
+            const OUTPUTS: usize = $outputs;
             #[inline(always)]
             fn run<E: $crate::emit::Emit>(
-                emit: E,
-                words: &impl $crate::emit::Words<E>,
-                sink: &mut impl $crate::emit::Sink<E>,
-            ) {
-                let inputs = $crate::node!(@generic_read $shape, E, emit, words, [$($input : $itype,)*]);
-                let result: Outputs<$crate::emit::$shape<E::Real>> = body(emit, &inputs);
+                $emit: E,
+                $words: &impl $crate::emit::Words<E>,
+                $sink: &mut impl $crate::emit::Sink<E>,
+            ) $run
+        }
+    };
+    (@run $bounds:tt $shape:ty, $inputs:tt [$($output:ident : $otype:ident;)+]) => {
+        $crate::node!(@body_impl $bounds NodeBody $shape,
+            0 $(+ $crate::nodes::ports::width::<$crate::nodes::ports::$otype, $shape>())+,
+            |emit, words, sink| {
+                let result = body(emit, &$crate::node!(@load $shape, words, $inputs));
                 let mut at = 0;
-                $($crate::node!(@generic_write $shape, sink, at, result.$output, $otype);)+
+                $(
+                    <$crate::nodes::ports::$otype as $crate::nodes::ports::Computed>::store::<E, $shape>(sink, at, result.$output);
+                    at += const { $crate::nodes::ports::width::<$crate::nodes::ports::$otype, $shape>() };
+                )+
                 let _ = at;
+            });
+    };
+    (@run_components $inputs:tt [$first:ident : generic $annotations:tt; $($input:ident : $itype:ident $more:tt;)*]) => {
+        $crate::node!(@body_impl [S: $crate::nodes::ports::Shape] NodeBody S, S::WIDTH, |emit, words, sink| {
+            use $crate::emit::Components;
+            let inputs = $crate::node!(@load S, words, $inputs);
+            let mut result = inputs.$first.to_words();
+            for (number, component_of_result) in result[..S::COMPONENTS].iter_mut().enumerate() {
+                let inputs = Inputs::<E, E::Real> {
+                    $first: inputs.$first.to_words()[number],
+                    $($input: <$crate::nodes::ports::$itype as $crate::nodes::ports::Port>::component::<E, S>(inputs.$input, number),)*
+                };
+                *component_of_result = component(emit, &inputs);
             }
-        }
+            S::write(sink, 0, S::Of::<E>::from_words(result));
+        });
     };
-
-    (@type $e:ident, scalar) => { $e::Real };
-    (@type $e:ident, integer) => { $e::Int };
-    (@type $e:ident, boolean) => { $e::Mask };
-    (@type $e:ident, vector) => { $crate::emit::Vector<$e::Real> };
-    (@type $e:ident, color) => { $crate::emit::Color<$e::Real> };
-    (@type $e:ident, lights) => { () };
-    (@type $e:ident, light) => { () };
-    (@type $e:ident, texture) => { () };
-    (@type $e:ident, string) => { $e::Int };
-    (@type $e:ident, transform) => { $crate::emit::Transform<$e::Real> };
-    (@type $e:ident, shader) => { $crate::emit::Color<$e::Real> };
-    (@generic_type $e:ident, $t:ident, generic) => { $t };
-    (@generic_type $e:ident, $t:ident, $type:ident) => { $crate::node!(@type $e, $type) };
-
-    (@width vector) => { 3 };
-    (@width color) => { 4 };
-    (@width lights) => { 0 };
-    (@width light) => { 0 };
-    (@width texture) => { 0 };
-    (@width transform) => { 16 };
-    (@width shader) => { 4 };
-    (@width $type:ident) => { 1 };
-    (@generic_width One, generic) => { 1 };
-    (@generic_width Vector, generic) => { 3 };
-    (@generic_width Color, generic) => { 4 };
-    (@generic_width $shape:ident, $type:ident) => { $crate::node!(@width $type) };
-
-    (@load $emit:ident, $words:ident, $at:ident, $type:ident) => {{
-        let value = $crate::node!(@load_at $words, $at, $type);
-        $at += $crate::node!(@width $type);
-        value
-    }};
-    (@load_at $words:ident, $at:ident, scalar) => { $words.real($at) };
-    (@load_at $words:ident, $at:ident, integer) => { $words.int($at) };
-    (@load_at $words:ident, $at:ident, boolean) => { $words.mask($at) };
-    (@load_at $words:ident, $at:ident, vector) => { $crate::emit::read_vector::<E>($words, $at) };
-    (@load_at $words:ident, $at:ident, color) => { $crate::emit::read_color::<E>($words, $at) };
-    (@load_at $words:ident, $at:ident, lights) => { () };
-    (@load_at $words:ident, $at:ident, light) => { () };
-    (@load_at $words:ident, $at:ident, texture) => { () };
-    (@load_at $words:ident, $at:ident, string) => { $words.int($at) };
-    (@load_at $words:ident, $at:ident, transform) => { $crate::emit::read_transform::<E>($words, $at) };
-    (@load_at $words:ident, $at:ident, shader) => { $crate::emit::read_color::<E>($words, $at) };
-    (@generic_load One, $emit:ident, $words:ident, $at:ident, generic) => {{
-        let value = $crate::emit::One { x: $words.real($at) };
-        $at += 1;
-        value
-    }};
-    (@generic_load Vector, $emit:ident, $words:ident, $at:ident, generic) => {
-        $crate::node!(@load $emit, $words, $at, vector)
+    (@guards $bounds:tt $shape:ty, $mode:ident $e:ident $i:ident $inputs:tt [$($input:ident : $itype:ident [$($word:ident $value:tt)*];)*]) => {
+        vec![$(None::<$crate::kernels::BodyForms>$(.or($crate::node!(@guard $bounds $shape, $mode $e $i $inputs $word $value)))*),*]
     };
-    (@generic_load Color, $emit:ident, $words:ident, $at:ident, generic) => {
-        $crate::node!(@load $emit, $words, $at, color)
-    };
-    (@generic_load $shape:ident, $emit:ident, $words:ident, $at:ident, $type:ident) => {
-        $crate::node!(@load $emit, $words, $at, $type)
-    };
-
-    (@write $sink:ident, $at:ident, $value:expr, scalar) => {{ $sink.real($at, $value); $at += 1; }};
-    (@write $sink:ident, $at:ident, $value:expr, integer) => {{ $sink.int($at, $value); $at += 1; }};
-    (@write $sink:ident, $at:ident, $value:expr, boolean) => {{ $sink.mask($at, $value); $at += 1; }};
-    (@write $sink:ident, $at:ident, $value:expr, vector) => {{ $crate::emit::write_vector($sink, $at, $value); $at += 3; }};
-    (@write $sink:ident, $at:ident, $value:expr, color) => {{ $crate::emit::write_color($sink, $at, $value); $at += 4; }};
-    (@generic_write One, $sink:ident, $at:ident, $value:expr, generic) => {{ $sink.real($at, $value.x); $at += 1; }};
-    (@generic_write Vector, $sink:ident, $at:ident, $value:expr, generic) => { $crate::node!(@write $sink, $at, $value, vector) };
-    (@generic_write Color, $sink:ident, $at:ident, $value:expr, generic) => { $crate::node!(@write $sink, $at, $value, color) };
-    (@generic_write $shape:ident, $sink:ident, $at:ident, $value:expr, $type:ident) => { $crate::node!(@write $sink, $at, $value, $type) };
-
-    (@nothing $input:ident) => { None };
-    (@guards $inputs:tt [$([$($guard:ident)?])*]) => { vec![$($crate::node!(@guard $inputs $($guard)?)),*] };
-    (@guard $inputs:tt) => { None };
-    (@guard [$($input:ident : $itype:ident,)*] $guard:ident) => {{
-        struct Guard;
-        impl $crate::emit::Body for Guard {
-            const OUTPUTS: usize = 1;
-            #[inline(always)]
-            fn run<E: $crate::emit::Emit>(
-                emit: E,
-                words: &impl $crate::emit::Words<E>,
-                sink: &mut impl $crate::emit::Sink<E>,
-            ) {
-                let inputs = $crate::node!(@read E, emit, words, [$($input : $itype,)*]);
-                sink.mask(0, $guard(emit, &inputs));
-            }
-        }
-        Some($crate::kernels::BodyForms::of::<Guard>())
+    (@guard $bounds:tt $shape:ty, $mode:ident $e:ident $i:ident $inputs:tt when [$guard:expr]) => {{
+        $crate::node!(@function holds $mode $e $i E::Mask, $guard);
+        $crate::node!(@body_impl $bounds Guard $shape, 1, |emit, words, sink| {
+            sink.mask(0, holds(emit, &$crate::node!(@load $shape, words, $inputs)));
+        });
+        Some($crate::kernels::BodyForms::of::<Guard<$shape>>())
     }};
+    (@guard $bounds:tt $shape:ty, $mode:ident $e:ident $i:ident $inputs:tt $word:ident $value:tt) => { None };
 
-    (@generic_guards $shape:ident $inputs:tt [$([$($guard:ident)?])*]) => { vec![$($crate::node!(@generic_guard $shape $inputs $($guard)?)),*] };
-    (@generic_guard $shape:ident $inputs:tt) => { None };
-    (@generic_guard $shape:ident [$($input:ident : $itype:ident,)*] $guard:ident) => {{
-        struct Guard;
-        impl $crate::emit::Body for Guard {
-            const OUTPUTS: usize = 1;
-            #[inline(always)]
-            fn run<E: $crate::emit::Emit>(
-                emit: E,
-                words: &impl $crate::emit::Words<E>,
-                sink: &mut impl $crate::emit::Sink<E>,
-            ) {
-                let inputs = $crate::node!(@generic_read $shape, E, emit, words, [$($input : $itype,)*]);
-                sink.mask(0, $guard(emit, &inputs));
-            }
-        }
-        Some($crate::kernels::BodyForms::of::<Guard>())
+    // ---- signature
+    (@kind [] []) => { $crate::nodes::Kind::Plain };
+    (@kind [generic] []) => { $crate::nodes::Kind::Plain };
+    (@kind [per component] []) => { $crate::nodes::Kind::Plain };
+    (@kind [request $effect:ident] []) => { $crate::nodes::Kind::Request($crate::effects::Effect::$effect) };
+    (@kind [scope] [$($field:ident),+]) => { $crate::nodes::Kind::Scope(vec![$($crate::state::Field::$field),+]) };
+    (@kind [structural] [$kind:expr]) => { $kind };
+    (@input $input:ident [$($doc:literal)+] $type:ident [$default:expr] [$($word:ident $value:tt)*]) => {{
+        let input = $crate::nodes::Input::new(
+            stringify!($input),
+            &[$($doc),+],
+            <$crate::nodes::ports::$type as $crate::nodes::ports::Port>::TYPE,
+            $default,
+        );
+        $(let input = $crate::node!(@annotate input $word $value);)*
+        input
     }};
-
-    (@kind scalar) => { $crate::values::Type::Scalar };
-    (@kind integer) => { $crate::values::Type::Integer };
-    (@kind boolean) => { $crate::values::Type::Boolean };
-    (@kind vector) => { $crate::values::Type::Vector };
-    (@kind color) => { $crate::values::Type::Color };
-    (@kind lights) => { $crate::values::Type::Lights };
-    (@kind light) => { $crate::values::Type::Light };
-    (@kind texture) => { $crate::values::Type::Texture };
-    (@kind string) => { $crate::values::Type::String };
-    (@kind transform) => { $crate::values::Type::Transform };
-    (@kind shader) => { $crate::values::Type::Shader };
-    (@kind generic) => { $crate::values::Type::Generic };
-
-    (@range) => { $crate::nodes::FINITE };
-    (@range $range:expr) => { $range };
-    (@avoid) => { None };
-    (@avoid zero) => { Some($crate::nodes::Avoid::Zero) };
-    (@avoid negative) => { Some($crate::nodes::Avoid::Negative) };
-    (@flag) => { false };
-    (@flag $word:ident) => { true };
-
-    (@signature [$($doc:literal)+] $name:ident $group:ident $source:literal,
-        [$($input:ident [$($idoc:literal)+] $itype:ident [$default:expr] [$($irange:expr)?] [$($avoid:ident)?] [$($guard:ident)?] [$($scoped:ident)?];)*]
-        [$($output:ident [$($odoc:literal)+] $otype:ident [$($orange:expr)?];)+]
-        $kind:expr) => {
-        $crate::nodes::Signature {
-            name: stringify!($name),
-            group: stringify!($group),
-            doc: $crate::nodes::paragraph(&[$($doc),+]),
-            source: $source,
-            inputs: vec![$($crate::nodes::Input {
-                name: stringify!($input),
-                doc: $crate::nodes::paragraph(&[$($idoc),+]),
-                value_type: $crate::node!(@kind $itype),
-                default: $default.into(),
-                range: $crate::node!(@range $($irange)?),
-                avoid: $crate::node!(@avoid $($avoid)?),
-                guarded: $crate::node!(@flag $($guard)?),
-                scoped: $crate::node!(@flag $($scoped)?),
-                list: false,
-            },)*],
-            outputs: vec![$($crate::nodes::Output {
-                name: stringify!($output),
-                doc: $crate::nodes::paragraph(&[$($odoc),+]),
-                value_type: $crate::node!(@kind $otype),
-                range: $crate::node!(@range $($orange)?),
-            },)+],
-            kind: $kind,
-        }
+    (@annotate $input:ident in [$range:expr]) => { $input.within($range) };
+    (@annotate $input:ident avoid [$what:expr]) => {{
+        use $crate::nodes::avoidable::*;
+        $input.avoiding($what)
+    }};
+    (@annotate $input:ident when [$guard:expr]) => { $input.guarded() };
+    (@annotate $input:ident list []) => { $input.list() };
+    (@annotate $input:ident $word:ident [$($value:expr)?]) => {
+        compile_error!(concat!(
+            "an input has no annotation `", stringify!($word $($value)?), "`: there are `in RANGE`, \
+             `avoid zero`, `avoid negative`, `when CONDITION` and `list`"
+        ))
+    };
+    (@output $output:ident [$($doc:literal)+] $type:ident [$($word:ident $value:tt)*]) => {{
+        let output = $crate::nodes::Output::new(
+            stringify!($output),
+            &[$($doc),+],
+            <$crate::nodes::ports::$type as $crate::nodes::ports::Port>::TYPE,
+        );
+        $(let output = $crate::node!(@annotate_output output $word $value);)*
+        output
+    }};
+    (@annotate_output $output:ident in [$range:expr]) => { $output.within($range) };
+    (@annotate_output $output:ident $word:ident [$($value:expr)?]) => {
+        compile_error!(concat!(
+            "an output has no annotation `", stringify!($word $($value)?), "`: there is `in RANGE`"
+        ))
     };
 }

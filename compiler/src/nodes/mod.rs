@@ -14,6 +14,7 @@ mod agreement;
 pub mod finite;
 mod library;
 mod light_reads;
+pub mod ports;
 pub mod reference;
 mod signature;
 mod soundness;
@@ -23,7 +24,7 @@ pub use library::{Definition, NodeLibrary, NodeType, Overload, paragraph};
 pub use light_reads::{is_of_light, reads_light};
 pub use signature::{
     Avoid, BLACK, DefaultValue, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE,
-    Signature, WHITE, node, required, state,
+    Signature, WHITE, avoidable, node, required, state,
 };
 pub use soundness::DefinitionError;
 

@@ -117,6 +117,63 @@ pub struct Input {
     pub list: bool,
 }
 
+/// The names of [`Avoid`] in headers.
+pub mod avoidable {
+    pub use super::Avoid::{Negative as negative, Zero as zero};
+}
+
+impl Input {
+    /// An input for every finite number of its type, always demanded.
+    pub fn new(
+        name: &'static str,
+        doc: &[&str],
+        value_type: Type,
+        default: impl Into<DefaultValue>,
+    ) -> Self {
+        Self {
+            name,
+            doc: super::paragraph(doc),
+            value_type,
+            default: default.into(),
+            range: FINITE,
+            avoid: None,
+            guarded: false,
+            scoped: false,
+            list: false,
+        }
+    }
+
+    /// With this range.
+    pub fn within(self, range: RangeInclusive<f64>) -> Self {
+        Self { range, ..self }
+    }
+
+    /// With this to be avoided.
+    pub fn avoiding(self, avoid: Avoid) -> Self {
+        Self { avoid: Some(avoid), ..self }
+    }
+
+    /// Demanded only where its guard holds.
+    ///
+    /// # Panics
+    ///
+    /// If it has a guard already: there is one condition, and `&` joins two.
+    pub fn guarded(self) -> Self {
+        assert!(!self.guarded, "input `{}` has two conditions", self.name);
+        Self { guarded: true, ..self }
+    }
+
+    /// Evaluated in the scope or loop of its node.
+    pub fn scoped(self) -> Self {
+        Self { scoped: true, ..self }
+    }
+
+    /// A list of values.
+    pub fn list(self) -> Self {
+        Self { list: true, ..self }
+    }
+}
+
 /// An output of a node.
 #[derive(Clone, Debug)]
 pub struct Output {
@@ -128,6 +185,18 @@ pub struct Output {
     pub value_type: Type,
     /// Values it takes while inputs are in range, per component.
     pub range: RangeInclusive<f64>,
+}
+
+impl Output {
+    /// An output that may be any finite number.
+    pub fn new(name: &'static str, doc: &[&str], value_type: Type) -> Self {
+        Self { name, doc: super::paragraph(doc), value_type, range: FINITE }
+    }
+
+    /// With this range.
+    pub fn within(self, range: RangeInclusive<f64>) -> Self {
+        Self { range, ..self }
+    }
 }
 
 /// How a node is evaluated.

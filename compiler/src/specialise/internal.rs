@@ -7,7 +7,7 @@ use crate::nodes::Definition;
 
 /// The root of a phenomenon: ok is asked first, and the colour only where it holds.
 pub mod root {
-    use crate::emit::{Color, Emit, Mask};
+    use crate::emit::{Color, Mask};
     use crate::node;
     use crate::nodes::BLACK;
 
@@ -19,7 +19,7 @@ pub mod root {
             /// False for miFALSE.
             ok: boolean = true;
             /// The colour.
-            color: color = BLACK, when is_ok;
+            color: color = BLACK, when i.ok;
         }
         outputs {
             /// The colour, zero where not ok.
@@ -27,24 +27,17 @@ pub mod root {
             /// See the input.
             ok: boolean;
         }
-    }
-
-    #[inline(always)]
-    fn is_ok<E: Emit>(_: E, i: &Inputs<E>) -> E::Mask {
-        i.ok
-    }
-
-    #[inline(always)]
-    fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-        let zero = e.real(0.0);
-        let none = Color { r: zero, g: zero, b: zero, a: zero };
-        Outputs { color: i.ok.select(i.color, none), ok: i.ok }
+        body |e, i| {
+            let zero = e.real(0.0);
+            let none = Color { r: zero, g: zero, b: zero, a: zero };
+            Outputs { color: i.ok.select(i.color, none), ok: i.ok }
+        }
     }
 }
 
 /// The implicit conversion of an integer to a scalar.
 pub mod integer_to_scalar {
-    use crate::emit::{Emit, Int};
+    use crate::emit::Int;
     use crate::node;
 
     node! {
@@ -59,11 +52,7 @@ pub mod integer_to_scalar {
             /// The nearest number.
             value: scalar;
         }
-    }
-
-    #[inline(always)]
-    fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-        Outputs { value: i.value.to_real() }
+        body |e, i| Outputs { value: i.value.to_real() }
     }
 }
 

@@ -1,9 +1,9 @@
-use crate::emit::{Components, Emit};
+use crate::emit::Real;
 use crate::nodes::NOT_NEGATIVE;
 
 node! {
     /// The value without its sign, per component. A colour keeps its alpha.
-    absolute in arithmetic generic,
+    absolute in arithmetic per component,
     source "",
     inputs {
         /// Any value.
@@ -13,11 +13,7 @@ node! {
         /// Its magnitude.
         result: generic, in NOT_NEGATIVE;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    Outputs { result: i.input.absolute() }
+    body |e, i| i.input.absolute()
 }
 
 #[cfg(test)]

@@ -1,6 +1,5 @@
 use std::f64::consts::PI;
 
-use crate::emit::Emit;
 use crate::emit::functions::conventions::atan2_or_zero;
 
 /// The 32-bit number nearest to pi lies above it.
@@ -20,11 +19,7 @@ node! {
         /// The angle.
         result: scalar, in -ROUNDED_PI..=ROUNDED_PI;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { result: atan2_or_zero(i.y, i.x) }
+    body |e, i| Outputs { result: atan2_or_zero(i.y, i.x) }
 }
 
 #[cfg(test)]

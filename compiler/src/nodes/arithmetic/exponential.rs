@@ -1,11 +1,11 @@
-use crate::emit::functions::{conventions::clamp_finite, exp};
-use crate::emit::{Components, Emit};
+use crate::emit::Real;
+use crate::emit::functions::conventions::clamp_finite;
 use crate::nodes::NOT_NEGATIVE;
 
 node! {
     /// `e` to the power of the value, per component; what overflows is the largest finite number. A
     /// colour keeps its alpha.
-    exponential in arithmetic generic,
+    exponential in arithmetic per component,
     source "",
     inputs {
         /// Any value.
@@ -15,15 +15,7 @@ node! {
         /// The value.
         result: generic, in NOT_NEGATIVE;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    let mut words = i.input.to_words();
-    for component in &mut words[..3] {
-        *component = clamp_finite(exp(*component));
-    }
-    Outputs { result: T::from_words(words) }
+    body |e, i| clamp_finite(i.input.exp())
 }
 
 #[cfg(test)]

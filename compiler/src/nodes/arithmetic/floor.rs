@@ -1,8 +1,8 @@
-use crate::emit::{Components, Emit};
+use crate::emit::Real;
 
 node! {
     /// The largest integer not above the value, per component. A colour keeps its alpha.
-    floor in arithmetic generic,
+    floor in arithmetic per component,
     source "",
     inputs {
         /// Any value.
@@ -12,11 +12,7 @@ node! {
         /// The integer, as a number.
         result: generic;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    Outputs { result: i.input.floor() }
+    body |e, i| i.input.floor()
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-use crate::emit::{Components, Emit, Real};
+use crate::emit::Real;
 
 /// Largest number below 1: `x - floor(x)` would round up to 1 for small negative `x`.
 const BELOW_ONE: f64 = 1.0 - 1.0 / 16_777_216.0;
@@ -6,7 +6,7 @@ const BELOW_ONE: f64 = 1.0 - 1.0 / 16_777_216.0;
 node! {
     /// What is left above the next lower integer, per component: `input - floor(input)`, always
     /// below 1. A colour keeps its alpha.
-    fraction in arithmetic generic,
+    fraction in arithmetic per component,
     source "",
     inputs {
         /// Any value.
@@ -16,15 +16,7 @@ node! {
         /// The fraction.
         result: generic, in 0.0..=BELOW_ONE;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> Outputs<T> {
-    let mut fraction = i.input.to_words();
-    for component in &mut fraction[..3] {
-        *component = (*component - component.floor()).minimum(e.real(BELOW_ONE));
-    }
-    Outputs { result: T::from_words(fraction) }
+    body |e, i| (i.input - i.input.floor()).minimum(e.real(BELOW_ONE))
 }
 
 #[cfg(test)]

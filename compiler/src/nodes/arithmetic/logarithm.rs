@@ -1,10 +1,9 @@
 use crate::emit::functions::conventions::ln_or_zero;
-use crate::emit::{Components, Emit};
 
 node! {
     /// Natural logarithm, per component; 0 for what has none: zero and negative values. A colour
     /// keeps its alpha.
-    logarithm in arithmetic generic,
+    logarithm in arithmetic per component,
     source "",
     inputs {
         /// Any value.
@@ -14,15 +13,7 @@ node! {
         /// The value.
         result: generic;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    let mut words = i.input.to_words();
-    for component in &mut words[..3] {
-        *component = ln_or_zero(*component);
-    }
-    Outputs { result: T::from_words(words) }
+    body |e, i| ln_or_zero(i.input)
 }
 
 #[cfg(test)]

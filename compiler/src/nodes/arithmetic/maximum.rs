@@ -1,8 +1,8 @@
-use crate::emit::{Components, Emit};
+use crate::emit::Real;
 
 node! {
     /// The larger of two values, per component: `a > b ? a : b`. A colour keeps the alpha of `a`.
-    maximum in arithmetic generic,
+    maximum in arithmetic per component,
     source "",
     inputs {
         /// First value.
@@ -14,11 +14,7 @@ node! {
         /// The larger.
         result: generic;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    Outputs { result: i.a.maximum(i.b) }
+    body |e, i| i.a.maximum(i.b)
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
-use crate::emit::{Components, Emit};
+use crate::emit::Real;
 
 node! {
     /// The smaller of two values, per component: `a < b ? a : b`. A colour keeps the alpha of `a`.
-    minimum in arithmetic generic,
+    minimum in arithmetic per component,
     source "",
     inputs {
         /// First value.
@@ -14,11 +14,7 @@ node! {
         /// The smaller.
         result: generic;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    Outputs { result: i.a.minimum(i.b) }
+    body |e, i| i.a.minimum(i.b)
 }
 
 #[cfg(test)]

@@ -1,11 +1,10 @@
 use crate::emit::functions::conventions::modulo_or_zero;
-use crate::emit::{Components, Emit};
 
 node! {
     /// Floored remainder `a - b floor(a / b)`, per component: it lies between 0 and `b` and has the
     /// sign of `b`. A remainder by zero is 0, and so is one of a quotient beyond what numbers
     /// resolve. A colour keeps the alpha of `a`.
-    modulo in arithmetic generic,
+    modulo in arithmetic per component,
     source "",
     inputs {
         /// What is divided.
@@ -17,15 +16,7 @@ node! {
         /// The remainder.
         result: generic;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    let (mut words, periods) = (i.a.to_words(), i.b.to_words());
-    for (word, &period) in words[..3].iter_mut().zip(&periods[..3]) {
-        *word = modulo_or_zero(*word, period);
-    }
-    Outputs { result: T::from_words(words) }
+    body |e, i| modulo_or_zero(i.a, i.b)
 }
 
 #[cfg(test)]

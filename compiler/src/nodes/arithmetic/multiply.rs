@@ -1,9 +1,8 @@
-use crate::emit::{Components, Emit};
 use crate::nodes::finite::FACTOR;
 
 node! {
     /// Product `a b`, per component. A colour keeps the alpha of `a`.
-    multiply in arithmetic generic,
+    multiply in arithmetic per component,
     source "",
     inputs {
         /// First factor.
@@ -15,11 +14,7 @@ node! {
         /// The product.
         result: generic;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    Outputs { result: i.a * i.b }
+    body |e, i| i.a * i.b
 }
 
 #[cfg(test)]

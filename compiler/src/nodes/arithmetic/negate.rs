@@ -1,8 +1,6 @@
-use crate::emit::{Components, Emit};
-
 node! {
     /// The same magnitude with the other sign, per component. A colour keeps its alpha.
-    negate in arithmetic generic,
+    negate in arithmetic per component,
     source "",
     inputs {
         /// What is negated.
@@ -12,11 +10,7 @@ node! {
         /// `-input`.
         result: generic;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    Outputs { result: -i.input }
+    body |e, i| -i.input
 }
 
 #[cfg(test)]

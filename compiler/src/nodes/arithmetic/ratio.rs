@@ -1,4 +1,4 @@
-use crate::emit::{Emit, Mask, Real};
+use crate::emit::{Mask, Real};
 use crate::nodes::finite::UNIT;
 
 node! {
@@ -16,14 +16,12 @@ node! {
         /// The share.
         result: scalar, in UNIT;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    let zero = e.real(0.0);
-    let of_nothing = i.value.greater(zero).select(e.real(1.0), zero);
-    let share = (i.value / i.whole).saturate();
-    Outputs { result: i.whole.equal(zero).select(of_nothing, share) }
+    body |e, i| {
+        let zero = e.real(0.0);
+        let of_nothing = i.value.greater(zero).select(e.real(1.0), zero);
+        let share = (i.value / i.whole).saturate();
+        Outputs { result: i.whole.equal(zero).select(of_nothing, share) }
+    }
 }
 
 #[cfg(test)]

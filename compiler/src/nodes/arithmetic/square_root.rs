@@ -1,11 +1,10 @@
 use crate::emit::functions::conventions::sqrt_or_zero;
-use crate::emit::{Components, Emit};
 use crate::nodes::NOT_NEGATIVE;
 
 node! {
     /// Square root, correctly rounded, per component; of a negative value 0. A colour keeps its
     /// alpha.
-    square_root in arithmetic generic,
+    square_root in arithmetic per component,
     source "",
     inputs {
         /// Any value.
@@ -15,15 +14,7 @@ node! {
         /// The root.
         result: generic, in NOT_NEGATIVE;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    let mut root = i.input.to_words();
-    for component in &mut root[..3] {
-        *component = sqrt_or_zero(*component);
-    }
-    Outputs { result: T::from_words(root) }
+    body |e, i| sqrt_or_zero(i.input)
 }
 
 #[cfg(test)]

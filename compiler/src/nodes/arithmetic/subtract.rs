@@ -1,9 +1,8 @@
-use crate::emit::{Components, Emit};
 use crate::nodes::finite::SUMMAND;
 
 node! {
     /// Difference `a - b`, per component. A colour keeps the alpha of `a`.
-    subtract in arithmetic generic,
+    subtract in arithmetic per component,
     source "",
     inputs {
         /// What is subtracted from.
@@ -15,11 +14,7 @@ node! {
         /// The difference.
         result: generic;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    Outputs { result: i.a - i.b }
+    body |e, i| i.a - i.b
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-use crate::emit::{Color, Emit};
+use crate::emit::Color;
 
 node! {
     /// A colour from its components.
@@ -18,11 +18,7 @@ node! {
         /// The colour.
         color: color;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { color: Color { r: i.r, g: i.g, b: i.b, a: i.a } }
+    body |e, i| Outputs { color: Color { r: i.r, g: i.g, b: i.b, a: i.a } }
 }
 
 #[cfg(test)]

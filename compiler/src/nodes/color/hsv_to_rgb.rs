@@ -22,22 +22,20 @@ node! {
         /// The colour.
         color: color, in NOT_NEGATIVE;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    let one = e.real(1.0);
-    let sextants = (i.hue - i.hue.floor()) * 6.0;
-    let red = ((sextants - 3.0).absolute() - 1.0).saturate();
-    let green = (e.real(2.0) - (sextants - 2.0).absolute()).saturate();
-    let blue = (e.real(2.0) - (sextants - 4.0).absolute()).saturate();
-    let color = Color {
-        r: component(e, i, red),
-        g: component(e, i, green),
-        b: component(e, i, blue),
-        a: one,
-    };
-    Outputs { color }
+    body |e, i| {
+        let one = e.real(1.0);
+        let sextants = (i.hue - i.hue.floor()) * 6.0;
+        let red = ((sextants - 3.0).absolute() - 1.0).saturate();
+        let green = (e.real(2.0) - (sextants - 2.0).absolute()).saturate();
+        let blue = (e.real(2.0) - (sextants - 4.0).absolute()).saturate();
+        let color = Color {
+            r: component(e, i, red),
+            g: component(e, i, green),
+            b: component(e, i, blue),
+            a: one,
+        };
+        Outputs { color }
+    }
 }
 
 #[inline(always)]

@@ -1,4 +1,4 @@
-use crate::emit::{Components, Emit, Mask, Real};
+use crate::emit::{Mask, Real};
 use crate::nodes::finite::SUMMAND;
 
 node! {
@@ -10,37 +10,26 @@ node! {
         /// Share of `b`; outside 0..1 it extrapolates.
         weight: scalar = 0.5, in 0.0..=1.0;
         /// Value at weight 0.
-        a: generic = 0.0, in SUMMAND, when a_shows;
+        a: generic = 0.0, in SUMMAND, when i.weight.not_equal(e.real(1.0));
         /// Value at weight 1.
-        b: generic = 1.0, in SUMMAND, when b_shows;
+        b: generic = 1.0, in SUMMAND, when i.weight.not_equal(e.real(0.0));
     }
     outputs {
         /// The mixture.
         result: generic;
     }
-}
-
-#[inline(always)]
-fn a_shows<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
-    i.weight.not_equal(e.real(1.0))
-}
-
-#[inline(always)]
-fn b_shows<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
-    i.weight.not_equal(e.real(0.0))
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> Outputs<T> {
-    let (a, b) = (i.a.to_words(), i.b.to_words());
-    let rest = e.real(1.0) - i.weight;
-    let mut mixed = a;
-    for k in 0..4 {
-        // Exact at both ends, and no overflow of b - a.
-        mixed[k] = b[k].mul_add(i.weight, a[k] * rest);
+    body |e, i| {
+        let (a, b) = (i.a.to_words(), i.b.to_words());
+        let (zero, one) = (e.real(0.0), e.real(1.0));
+        let rest = one - i.weight;
+        let mut mixed = a;
+        for k in 0..4 {
+            // Exact at both ends, and no overflow of b - a.
+            mixed[k] = b[k].mul_add(i.weight, a[k] * rest);
+        }
+        let with_a = i.weight.not_equal(one).select(T::from_words(mixed), i.b);
+        Outputs { result: i.weight.not_equal(zero).select(with_a, i.a) }
     }
-    let with_a = a_shows(e, i).select(T::from_words(mixed), i.b);
-    Outputs { result: b_shows(e, i).select(with_a, i.a) }
 }
 
 #[cfg(test)]

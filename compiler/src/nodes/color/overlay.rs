@@ -18,17 +18,15 @@ node! {
         /// The blend.
         color: color, in NOT_NEGATIVE;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    let color = Color {
-        r: overlay(e, i.base.r, i.layer.r),
-        g: overlay(e, i.base.g, i.layer.g),
-        b: overlay(e, i.base.b, i.layer.b),
-        a: i.base.a,
-    };
-    Outputs { color }
+    body |e, i| {
+        let color = Color {
+            r: overlay(e, i.base.r, i.layer.r),
+            g: overlay(e, i.base.g, i.layer.g),
+            b: overlay(e, i.base.b, i.layer.b),
+            a: i.base.a,
+        };
+        Outputs { color }
+    }
 }
 
 #[inline(always)]

@@ -1,4 +1,3 @@
-use crate::emit::Emit;
 use crate::nodes::BLACK;
 
 node! {
@@ -19,11 +18,7 @@ node! {
         /// Alpha.
         a: scalar;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { r: i.color.r, g: i.color.g, b: i.color.b, a: i.color.a }
+    body |e, i| Outputs { r: i.color.r, g: i.color.g, b: i.color.b, a: i.color.a }
 }
 
 #[cfg(test)]

@@ -1,5 +1,3 @@
-use crate::emit::Emit;
-
 node! {
     /// A truth value, given once and used in many places.
     constant_boolean in constants,
@@ -12,11 +10,7 @@ node! {
         /// The same value.
         value: boolean;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { value: i.value }
+    body |e, i| Outputs { value: i.value }
 }
 
 #[cfg(test)]

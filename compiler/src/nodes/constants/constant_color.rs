@@ -1,4 +1,3 @@
-use crate::emit::Emit;
 use crate::nodes::BLACK;
 
 node! {
@@ -13,11 +12,7 @@ node! {
         /// The same value.
         value: color;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { value: i.value }
+    body |e, i| Outputs { value: i.value }
 }
 
 #[cfg(test)]

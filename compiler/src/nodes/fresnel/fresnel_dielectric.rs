@@ -23,11 +23,7 @@ node! {
         /// Share reflected.
         reflectance: scalar, in UNIT;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { reflectance: reflectance(e, index(e, i.ior_in), index(e, i.ior_out), i.cosine) }
+    body |e, i| Outputs { reflectance: reflectance(e, index(e, i.ior_in), index(e, i.ior_out), i.cosine) }
 }
 
 /// An index of refraction as it is read: 0, less and NaN mean unset and count as 1.

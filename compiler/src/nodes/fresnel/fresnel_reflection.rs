@@ -1,6 +1,5 @@
 use super::fresnel_dielectric::reflectance;
 use super::ior_pair::pair;
-use crate::emit::Emit;
 use crate::nodes::finite::UNIT;
 use crate::nodes::state;
 use crate::state::Field;
@@ -26,12 +25,10 @@ node! {
         /// Share reflected.
         reflectance: scalar, in UNIT;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    let (n1, n2) = pair(e, i.ior, i.inside, i.medium_in, i.medium_out);
-    Outputs { reflectance: reflectance(e, n1, n2, -i.dot_nd) }
+    body |e, i| {
+        let (n1, n2) = pair(e, i.ior, i.inside, i.medium_in, i.medium_out);
+        Outputs { reflectance: reflectance(e, n1, n2, -i.dot_nd) }
+    }
 }
 
 #[cfg(test)]

@@ -27,12 +27,10 @@ node! {
         /// Whether the ray enters the material.
         enter: boolean;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    let (ior_in, ior_out) = pair(e, i.ior, i.inside, i.medium_in, i.medium_out);
-    Outputs { ior_in, ior_out, enter: !i.inside }
+    body |e, i| {
+        let (ior_in, ior_out) = pair(e, i.ior, i.inside, i.medium_in, i.medium_out);
+        Outputs { ior_in, ior_out, enter: !i.inside }
+    }
 }
 
 /// The two indices in the ray's order.

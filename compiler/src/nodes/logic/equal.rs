@@ -1,4 +1,4 @@
-use crate::emit::{Emit, Real};
+use crate::emit::Real;
 
 node! {
     /// Whether `a == b`, to the last bit; false where either is NaN. -0 equals 0.
@@ -14,11 +14,7 @@ node! {
         /// Whether it holds.
         result: boolean;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { result: i.a.equal(i.b) }
+    body |e, i| Outputs { result: i.a.equal(i.b) }
 }
 
 #[cfg(test)]

@@ -1,5 +1,3 @@
-use crate::emit::Emit;
-
 node! {
     /// Whether the condition does not hold.
     not in logic,
@@ -12,11 +10,7 @@ node! {
         /// Its opposite.
         result: boolean;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { result: !i.input }
+    body |e, i| Outputs { result: !i.input }
 }
 
 #[cfg(test)]

@@ -1,5 +1,3 @@
-use crate::emit::Emit;
-
 node! {
     /// Whether one of two holds. `b` is evaluated only where `a` does not.
     or in logic,
@@ -8,22 +6,13 @@ node! {
         /// First condition.
         a: boolean = false;
         /// Second condition; evaluated only where the first does not decide.
-        b: boolean = false, when undecided;
+        b: boolean = false, when !i.a;
     }
     outputs {
         /// Whether it holds.
         result: boolean;
     }
-}
-
-#[inline(always)]
-fn undecided<E: Emit>(_: E, i: &Inputs<E>) -> E::Mask {
-    !i.a
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { result: i.a | i.b }
+    body |e, i| Outputs { result: i.a | i.b }
 }
 
 #[cfg(test)]

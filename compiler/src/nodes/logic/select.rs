@@ -1,4 +1,4 @@
-use crate::emit::{Components, Emit, Mask};
+use crate::emit::Mask;
 
 node! {
     /// One of two values; only the one chosen is evaluated, and it passes unchanged to the bit.
@@ -8,29 +8,15 @@ node! {
         /// What decides.
         condition: boolean = false;
         /// The value where it holds.
-        if_true: generic = 1.0, when holds;
+        if_true: generic = 1.0, when i.condition;
         /// The value where it does not.
-        if_false: generic = 0.0, when fails;
+        if_false: generic = 0.0, when !i.condition;
     }
     outputs {
         /// The value chosen, with its alpha.
         result: generic;
     }
-}
-
-#[inline(always)]
-fn holds<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> E::Mask {
-    i.condition
-}
-
-#[inline(always)]
-fn fails<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> E::Mask {
-    !i.condition
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(_: E, i: &Inputs<E, T>) -> Outputs<T> {
-    Outputs { result: i.condition.select(i.if_true, i.if_false) }
+    body |e, i| Outputs { result: i.condition.select(i.if_true, i.if_false) }
 }
 
 #[cfg(test)]

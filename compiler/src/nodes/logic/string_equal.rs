@@ -1,4 +1,4 @@
-use crate::emit::{Emit, Int};
+use crate::emit::Int;
 
 node! {
     /// Whether two strings are the same, character by character. Known before shading, so what it rules
@@ -15,11 +15,7 @@ node! {
         /// Whether they are the same.
         result: boolean;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { result: i.a.equal(i.b) }
+    body |e, i| Outputs { result: i.a.equal(i.b) }
 }
 
 #[cfg(test)]

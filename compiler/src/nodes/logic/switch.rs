@@ -1,4 +1,4 @@
-use crate::emit::{Components, Emit, Int, Mask};
+use crate::emit::{Int, Mask};
 
 node! {
     /// One of four values by number; only the one chosen is evaluated, and it passes unchanged to the
@@ -9,45 +9,23 @@ node! {
         /// Which one.
         index: integer = 0, in 0.0..=3.0;
         /// The value of index 0 and below.
-        case_0: generic = 0.0, when is_0;
+        case_0: generic = 0.0, when i.index.less(e.int(1));
         /// The value of index 1.
-        case_1: generic = 0.0, when is_1;
+        case_1: generic = 0.0, when i.index.equal(e.int(1));
         /// The value of index 2.
-        case_2: generic = 0.0, when is_2;
+        case_2: generic = 0.0, when i.index.equal(e.int(2));
         /// The value of index 3 and above.
-        case_3: generic = 0.0, when is_3;
+        case_3: generic = 0.0, when e.int(2).less(i.index);
     }
     outputs {
         /// The value chosen, with its alpha.
         result: generic;
     }
-}
-
-#[inline(always)]
-fn is_0<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
-    i.index.less(e.int(1))
-}
-
-#[inline(always)]
-fn is_1<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
-    i.index.equal(e.int(1))
-}
-
-#[inline(always)]
-fn is_2<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
-    i.index.equal(e.int(2))
-}
-
-#[inline(always)]
-fn is_3<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> E::Mask {
-    e.int(2).less(i.index)
-}
-
-#[inline(always)]
-fn body<E: Emit, T: Components<E::Real>>(e: E, i: &Inputs<E, T>) -> Outputs<T> {
-    let from_two = is_3(e, i).select(i.case_3, i.case_2);
-    let from_one = is_1(e, i).select(i.case_1, from_two);
-    Outputs { result: is_0(e, i).select(i.case_0, from_one) }
+    body |e, i| {
+        let from_two = e.int(2).less(i.index).select(i.case_3, i.case_2);
+        let from_one = i.index.equal(e.int(1)).select(i.case_1, from_two);
+        Outputs { result: i.index.less(e.int(1)).select(i.case_0, from_one) }
+    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,3 @@
-use crate::emit::Emit;
-
 node! {
     /// Calls a shader for its colour, here and now: under the scopes and in the loop round this node, and
     /// only where its colour is wanted. Where no shader is given the colour is transparent black.
@@ -13,11 +11,7 @@ node! {
         /// Its colour.
         color: color;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { color: i.shader }
+    body |e, i| Outputs { color: i.shader }
 }
 
 #[cfg(test)]

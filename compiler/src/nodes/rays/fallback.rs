@@ -1,4 +1,4 @@
-use crate::emit::{Emit, Mask};
+use crate::emit::Mask;
 use crate::nodes::BLACK;
 
 node! {
@@ -11,29 +11,15 @@ node! {
         /// Whether the first succeeded: the `ok` of a trace.
         ok: boolean = true;
         /// Taken where it did.
-        primary: color = BLACK, when succeeded;
+        primary: color = BLACK, when i.ok;
         /// Taken where it did not.
-        alternative: color = BLACK, when failed;
+        alternative: color = BLACK, when !i.ok;
     }
     outputs {
         /// The colour taken.
         color: color;
     }
-}
-
-#[inline(always)]
-fn succeeded<E: Emit>(_: E, i: &Inputs<E>) -> E::Mask {
-    i.ok
-}
-
-#[inline(always)]
-fn failed<E: Emit>(_: E, i: &Inputs<E>) -> E::Mask {
-    !i.ok
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { color: i.ok.select(i.primary, i.alternative) }
+    body |e, i| Outputs { color: i.ok.select(i.primary, i.alternative) }
 }
 
 #[cfg(test)]

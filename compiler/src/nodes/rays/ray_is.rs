@@ -28,23 +28,22 @@ node! {
         /// Whether it is.
         result: boolean;
     }
+    body |e, i| {
+        let result = (i.eye & is(e, i.ray_type, RayType::Eye))
+            | (i.reflection & is(e, i.ray_type, RayType::Reflection))
+            | (i.refraction & is(e, i.ray_type, RayType::Refraction))
+            | (i.transparent & is(e, i.ray_type, RayType::Transparent))
+            | (i.shadow & is(e, i.ray_type, RayType::Shadow))
+            | (i.environment & is(e, i.ray_type, RayType::Environment))
+            | (i.displace & is(e, i.ray_type, RayType::Displace));
+        Outputs { result }
+    }
 }
 
+/// Whether a number is that of a type of ray.
 #[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    let result = (i.eye & is(e, i, RayType::Eye))
-        | (i.reflection & is(e, i, RayType::Reflection))
-        | (i.refraction & is(e, i, RayType::Refraction))
-        | (i.transparent & is(e, i, RayType::Transparent))
-        | (i.shadow & is(e, i, RayType::Shadow))
-        | (i.environment & is(e, i, RayType::Environment))
-        | (i.displace & is(e, i, RayType::Displace));
-    Outputs { result }
-}
-
-#[inline(always)]
-fn is<E: Emit>(e: E, i: &Inputs<E>, ray_type: RayType) -> E::Mask {
-    i.ray_type.equal(e.int(ray_type as i32))
+pub fn is<E: Emit>(e: E, number: E::Int, ray_type: RayType) -> E::Mask {
+    number.equal(e.int(ray_type as i32))
 }
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
-use crate::emit::{Color, Emit, Int, Mask};
+use super::ray_is::is;
+use crate::emit::{Color, Mask};
 use crate::nodes::{BLACK, state};
 use crate::state::{Field, RayType};
 
@@ -10,73 +11,36 @@ node! {
         /// The type of the ray, as in the state.
         ray_type: integer = state(Field::RayType), in 0.0..=6.0;
         /// The colour for rays from the camera.
-        eye: color = BLACK, when is_eye;
+        eye: color = BLACK, when is(e, i.ray_type, RayType::Eye);
         /// The colour for rays of `trace_reflection`.
-        reflection: color = BLACK, when is_reflection;
+        reflection: color = BLACK, when is(e, i.ray_type, RayType::Reflection);
         /// The colour for rays of `trace_refraction`.
-        refraction: color = BLACK, when is_refraction;
+        refraction: color = BLACK, when is(e, i.ray_type, RayType::Refraction);
         /// The colour for rays of `trace_transparent`.
-        transparent: color = BLACK, when is_transparent;
+        transparent: color = BLACK, when is(e, i.ray_type, RayType::Transparent);
         /// The colour for rays from lights.
-        shadow: color = BLACK, when is_shadow;
+        shadow: color = BLACK, when is(e, i.ray_type, RayType::Shadow);
         /// The colour for rays of `trace_environment`.
-        environment: color = BLACK, when is_environment;
+        environment: color = BLACK, when is(e, i.ray_type, RayType::Environment);
         /// The colour for rays for displacement.
-        displace: color = BLACK, when is_displace;
+        displace: color = BLACK, when is(e, i.ray_type, RayType::Displace);
     }
     outputs {
         /// The colour taken; black for a type there is not.
         color: color;
     }
-}
-
-#[inline(always)]
-fn is_eye<E: Emit>(e: E, i: &Inputs<E>) -> E::Mask {
-    i.ray_type.equal(e.int(RayType::Eye as i32))
-}
-
-#[inline(always)]
-fn is_reflection<E: Emit>(e: E, i: &Inputs<E>) -> E::Mask {
-    i.ray_type.equal(e.int(RayType::Reflection as i32))
-}
-
-#[inline(always)]
-fn is_refraction<E: Emit>(e: E, i: &Inputs<E>) -> E::Mask {
-    i.ray_type.equal(e.int(RayType::Refraction as i32))
-}
-
-#[inline(always)]
-fn is_transparent<E: Emit>(e: E, i: &Inputs<E>) -> E::Mask {
-    i.ray_type.equal(e.int(RayType::Transparent as i32))
-}
-
-#[inline(always)]
-fn is_shadow<E: Emit>(e: E, i: &Inputs<E>) -> E::Mask {
-    i.ray_type.equal(e.int(RayType::Shadow as i32))
-}
-
-#[inline(always)]
-fn is_environment<E: Emit>(e: E, i: &Inputs<E>) -> E::Mask {
-    i.ray_type.equal(e.int(RayType::Environment as i32))
-}
-
-#[inline(always)]
-fn is_displace<E: Emit>(e: E, i: &Inputs<E>) -> E::Mask {
-    i.ray_type.equal(e.int(RayType::Displace as i32))
-}
-
-#[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    let (zero, one) = (e.real(0.0), e.real(1.0));
-    let mut color = Color { r: zero, g: zero, b: zero, a: one };
-    color = is_eye(e, i).select(i.eye, color);
-    color = is_reflection(e, i).select(i.reflection, color);
-    color = is_refraction(e, i).select(i.refraction, color);
-    color = is_transparent(e, i).select(i.transparent, color);
-    color = is_shadow(e, i).select(i.shadow, color);
-    color = is_environment(e, i).select(i.environment, color);
-    color = is_displace(e, i).select(i.displace, color);
-    Outputs { color }
+    body |e, i| {
+        let (zero, one) = (e.real(0.0), e.real(1.0));
+        let mut color = Color { r: zero, g: zero, b: zero, a: one };
+        color = is(e, i.ray_type, RayType::Eye).select(i.eye, color);
+        color = is(e, i.ray_type, RayType::Reflection).select(i.reflection, color);
+        color = is(e, i.ray_type, RayType::Refraction).select(i.refraction, color);
+        color = is(e, i.ray_type, RayType::Transparent).select(i.transparent, color);
+        color = is(e, i.ray_type, RayType::Shadow).select(i.shadow, color);
+        color = is(e, i.ray_type, RayType::Environment).select(i.environment, color);
+        color = is(e, i.ray_type, RayType::Displace).select(i.displace, color);
+        Outputs { color }
+    }
 }
 
 #[cfg(test)]

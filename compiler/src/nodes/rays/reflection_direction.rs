@@ -19,11 +19,7 @@ node! {
         /// Unit direction of the mirrored ray.
         direction: vector, in -1.0..=1.0;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { direction: mirrored(e, i.direction, i.normal, i.normal_geom) }
+    body |e, i| Outputs { direction: mirrored(e, i.direction, i.normal, i.normal_geom) }
 }
 
 /// The mirror direction, held above the geometric surface.

@@ -1,5 +1,5 @@
 use super::reflection_direction::{along, mirrored};
-use crate::emit::{Emit, Mask, Real};
+use crate::emit::{Mask, Real};
 use crate::nodes::fresnel::fresnel_dielectric::{boundary, index};
 use crate::nodes::state;
 use crate::state::Field;
@@ -32,20 +32,18 @@ node! {
         /// Whether all light is reflected.
         tir: boolean;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    let cosine = -i.direction.dot(i.normal);
-    let b = boundary(e, index(e, i.ior_in), index(e, i.ior_out), cosine);
-    let bend = -(b.excess.divide_or_zero(b.transmitted + b.cosine));
-    let refracted = along(i.normal, bend, i.direction);
-    let above = refracted.dot(i.normal_geom);
-    let lowered = along(i.normal_geom, e.real(-1e-4) - above, refracted);
-    let refracted = above.greater_equal(e.real(0.0)).select(lowered, refracted).normalized();
-    let unbent = b.matched.select(i.direction, refracted);
-    let mirror = mirrored(e, i.direction, i.normal, i.normal_geom);
-    Outputs { direction: b.total.select(mirror, unbent), tir: b.total }
+    body |e, i| {
+        let cosine = -i.direction.dot(i.normal);
+        let b = boundary(e, index(e, i.ior_in), index(e, i.ior_out), cosine);
+        let bend = -(b.excess.divide_or_zero(b.transmitted + b.cosine));
+        let refracted = along(i.normal, bend, i.direction);
+        let above = refracted.dot(i.normal_geom);
+        let lowered = along(i.normal_geom, e.real(-1e-4) - above, refracted);
+        let refracted = above.greater_equal(e.real(0.0)).select(lowered, refracted).normalized();
+        let unbent = b.matched.select(i.direction, refracted);
+        let mirror = mirrored(e, i.direction, i.normal, i.normal_geom);
+        Outputs { direction: b.total.select(mirror, unbent), tir: b.total }
+    }
 }
 
 #[cfg(test)]

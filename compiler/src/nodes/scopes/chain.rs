@@ -1,4 +1,4 @@
-use crate::emit::{Color, Emit};
+use crate::emit::Color;
 use crate::nodes::{BLACK, NOT_NEGATIVE, required};
 
 node! {
@@ -20,12 +20,10 @@ node! {
         /// The value of `second`.
         color: color, in NOT_NEGATIVE;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Changes<E> {
-    let Color { r, g, b, a } = i.first;
-    Changes { incoming: Color { r, g, b, a } }
+    body |e, i| {
+        let Color { r, g, b, a } = i.first;
+        Changes { incoming: Color { r, g, b, a } }
+    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-use crate::emit::{Emit, Mask, Real};
+use crate::emit::{Mask, Real};
 use crate::nodes::{BLACK, NOT_NEGATIVE, required, state};
 use crate::state::Field;
 
@@ -24,12 +24,10 @@ node! {
         /// The value of `input` under that normal.
         color: color, in NOT_NEGATIVE;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Changes<E> {
-    let given = i.normal.normalized();
-    let none = given.largest().equal(given.x.same(0.0));
-    let normal = none.select(i.outer, given);
-    Changes { normal, dot_nd: normal.dot(i.direction) }
+    body |e, i| {
+        let given = i.normal.normalized();
+        let none = given.largest().equal(given.x.same(0.0));
+        let normal = none.select(i.outer, given);
+        Changes { normal, dot_nd: normal.dot(i.direction) }
+    }
 }

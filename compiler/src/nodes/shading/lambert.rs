@@ -1,4 +1,4 @@
-use crate::emit::{Color, Emit, Mask, Real};
+use crate::emit::{Color, Mask, Real};
 use crate::nodes::finite::INTENSITY;
 use crate::nodes::{NOT_NEGATIVE, WHITE, node, state};
 use crate::state::Field;
@@ -16,28 +16,22 @@ node! {
         /// Direction towards the light, unit length.
         direction: vector = state(Field::LightDirection), in -1.0..=1.0;
         /// Colour of the light that arrives.
-        light: color = node("light_color"), in INTENSITY, when lit;
+        light: color = node("light_color"), in INTENSITY, when i.normal.dot(i.direction).greater(e.real(0.0));
         /// Colour of the surface.
-        color: color = WHITE, in INTENSITY, when lit;
+        color: color = WHITE, in INTENSITY, when i.normal.dot(i.direction).greater(e.real(0.0));
     }
     outputs {
         /// The light reflected.
         color: color, in NOT_NEGATIVE;
     }
-}
-
-#[inline(always)]
-fn lit<E: Emit>(e: E, i: &Inputs<E>) -> E::Mask {
-    i.normal.dot(i.direction).greater(e.real(0.0))
-}
-
-#[inline(always)]
-fn body<E: Emit>(e: E, i: &Inputs<E>) -> Outputs<E> {
-    let (zero, one) = (e.real(0.0), e.real(1.0));
-    let reflected = i.color * i.light * i.normal.dot(i.direction);
-    let black = Color { r: zero, g: zero, b: zero, a: one };
-    let color = Color { a: one, ..reflected };
-    Outputs { color: lit(e, i).select(color, black) }
+    body |e, i| {
+        let (zero, one) = (e.real(0.0), e.real(1.0));
+        let cosine = i.normal.dot(i.direction);
+        let reflected = i.color * i.light * cosine;
+        let black = Color { r: zero, g: zero, b: zero, a: one };
+        let color = Color { a: one, ..reflected };
+        Outputs { color: cosine.greater(zero).select(color, black) }
+    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-use crate::emit::{Emit, Vector};
+use crate::emit::Vector;
 
 node! {
     /// A vector from its three components.
@@ -16,11 +16,7 @@ node! {
         /// The vector.
         vector: vector;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { vector: Vector { x: i.x, y: i.y, z: i.z } }
+    body |e, i| Outputs { vector: Vector { x: i.x, y: i.y, z: i.z } }
 }
 
 #[cfg(test)]

@@ -1,4 +1,3 @@
-use crate::emit::Emit;
 use crate::nodes::finite::FACTOR;
 
 node! {
@@ -15,11 +14,7 @@ node! {
         /// The product.
         result: vector;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { result: i.a.cross(i.b) }
+    body |e, i| Outputs { result: i.a.cross(i.b) }
 }
 
 #[cfg(test)]

@@ -1,4 +1,3 @@
-use crate::emit::Emit;
 use crate::nodes::NOT_NEGATIVE;
 use crate::nodes::finite::SUMMAND;
 
@@ -15,11 +14,7 @@ node! {
         /// Its length.
         result: scalar, in NOT_NEGATIVE;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { result: i.input.length() }
+    body |e, i| Outputs { result: i.input.length() }
 }
 
 #[cfg(test)]

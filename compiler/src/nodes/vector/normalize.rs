@@ -1,5 +1,3 @@
-use crate::emit::Emit;
-
 node! {
     /// The vector at length 1. The zero vector stays zero. Neither tiny nor huge vectors lose their
     /// direction: the largest component is divided out first.
@@ -13,11 +11,7 @@ node! {
         /// The unit vector.
         result: vector, in -1.0..=1.0;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { result: i.input.normalized() }
+    body |e, i| Outputs { result: i.input.normalized() }
 }
 
 #[cfg(test)]

@@ -1,5 +1,3 @@
-use crate::emit::Emit;
-
 node! {
     /// The three components of a vector.
     split_vector in vector,
@@ -16,11 +14,7 @@ node! {
         /// Third component.
         z: scalar;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { x: i.vector.x, y: i.vector.y, z: i.vector.z }
+    body |e, i| Outputs { x: i.vector.x, y: i.vector.y, z: i.vector.z }
 }
 
 #[cfg(test)]

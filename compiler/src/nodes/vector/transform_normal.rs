@@ -1,4 +1,3 @@
-use crate::emit::Emit;
 use crate::nodes::finite::FACTOR;
 use crate::values::Literal;
 
@@ -19,11 +18,7 @@ node! {
         /// The unit normal there.
         result: vector, in -1.0..=1.0;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { result: i.transform.normal(i.normal) }
+    body |e, i| Outputs { result: i.transform.normal(i.normal) }
 }
 
 #[cfg(test)]

@@ -1,4 +1,3 @@
-use crate::emit::Emit;
 use crate::nodes::finite::FACTOR;
 use crate::values::Literal;
 
@@ -16,11 +15,7 @@ node! {
         /// The point there.
         result: vector;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { result: i.transform.point(i.point) }
+    body |e, i| Outputs { result: i.transform.point(i.point) }
 }
 
 #[cfg(test)]

@@ -1,4 +1,3 @@
-use crate::emit::Emit;
 use crate::nodes::finite::FACTOR;
 use crate::values::Literal;
 
@@ -17,11 +16,7 @@ node! {
         /// The vector there.
         result: vector;
     }
-}
-
-#[inline(always)]
-fn body<E: Emit>(_: E, i: &Inputs<E>) -> Outputs<E> {
-    Outputs { result: i.transform.vector(i.vector) }
+    body |e, i| Outputs { result: i.transform.vector(i.vector) }
 }
 
 #[cfg(test)]
