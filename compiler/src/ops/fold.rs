@@ -1,11 +1,12 @@
 //! Exact folding: what gives the same bits for every input (NaNs are one class), and nothing else.
 //!
 //! `x + 0` stays (it turns -0 into 0), `x * 0` stays (NaN, infinities, -0), `x - x`, `x / x` and
-//! `x == x` stay (NaN), `!(a < b)` is not `b <= a` (NaN).
+//! `x == x` stay (NaN), `!(a < b)` is not `b <= a` (NaN). Of segments that are
+//! [legal](super::legalise) only: what of others is not in 32 bits stays as it is.
 
-use super::{Op, OpId, OpSegment, Tape};
-use crate::emit::scalar::{Bool, F32, I32};
-use crate::emit::{Int, Mask, Real};
+use super::apply::{Registers, apply};
+use super::{Class, Op, OpId, OpSegment, Tape};
+use crate::emit::scalar::{Bool, F32, I32, Scalar};
 
 const ONE: u32 = 0x3f80_0000;
 const MINUS_ONE: u32 = 0xbf80_0000;
@@ -49,59 +50,7 @@ pub fn push(tape: &Tape, mut op: Op) -> OpId {
             Folded::Op(other) => op = other,
         }
     }
-    tape.push(in_order(op))
-}
-
-/// Operands of commutative operations in order, so that value numbering finds both.
-fn in_order(op: Op) -> Op {
-    let sorted = |a: OpId, b: OpId| (a.min(b), a.max(b));
-    match op {
-        Op::Add(a, b) => {
-            let (a, b) = sorted(a, b);
-            Op::Add(a, b)
-        }
-        Op::Mul(a, b) => {
-            let (a, b) = sorted(a, b);
-            Op::Mul(a, b)
-        }
-        Op::MulAdd(a, b, c) => {
-            let (a, b) = sorted(a, b);
-            Op::MulAdd(a, b, c)
-        }
-        Op::Equal(a, b) => {
-            let (a, b) = sorted(a, b);
-            Op::Equal(a, b)
-        }
-        Op::NotEqual(a, b) => {
-            let (a, b) = sorted(a, b);
-            Op::NotEqual(a, b)
-        }
-        Op::IntAdd(a, b) => {
-            let (a, b) = sorted(a, b);
-            Op::IntAdd(a, b)
-        }
-        Op::IntMul(a, b) => {
-            let (a, b) = sorted(a, b);
-            Op::IntMul(a, b)
-        }
-        Op::And(a, b) => {
-            let (a, b) = sorted(a, b);
-            Op::And(a, b)
-        }
-        Op::Or(a, b) => {
-            let (a, b) = sorted(a, b);
-            Op::Or(a, b)
-        }
-        Op::Xor(a, b) => {
-            let (a, b) = sorted(a, b);
-            Op::Xor(a, b)
-        }
-        Op::IntEqual(a, b) => {
-            let (a, b) = sorted(a, b);
-            Op::IntEqual(a, b)
-        }
-        other => other,
-    }
+    tape.push(op.in_order())
 }
 
 fn fold_once(tape: &Tape, op: Op) -> Folded {
@@ -268,49 +217,47 @@ fn constant(tape: &Tape, op: Op) -> Option<u32> {
     }
     let mut all = true;
     op.for_each_operand(|id| all &= bits(tape, id).is_some());
-    if !all {
-        return None;
+    all.then(|| apply(op, Scalar, &Constants(tape)))
+}
+
+/// The constants on a tape, as operands.
+struct Constants<'t>(&'t Tape);
+
+impl Constants<'_> {
+    fn word(&self, id: OpId) -> u32 {
+        bits(self.0, id).unwrap_or_default()
     }
-    let word = |id| bits(tape, id).unwrap_or(0);
-    let real = |id| F32(f32::from_bits(word(id)));
-    let int = |id| I32(word(id) as i32);
-    let from_real = |value: F32| value.0.to_bits();
-    let from_int = |value: I32| value.0 as u32;
-    let from_mask = |value: Bool| if value.0 { ALL } else { 0 };
-    Some(match op {
-        Op::Load(_) | Op::Constant(_) => return None,
-        Op::Add(a, b) => from_real(real(a) + real(b)),
-        Op::Sub(a, b) => from_real(real(a) - real(b)),
-        Op::Mul(a, b) => from_real(real(a) * real(b)),
-        Op::Div(a, b) => from_real(real(a) / real(b)),
-        Op::Neg(a) => from_real(-real(a)),
-        Op::MulAdd(a, b, c) => from_real(real(a).mul_add(real(b), real(c))),
-        Op::Minimum(a, b) => from_real(real(a).minimum(real(b))),
-        Op::Maximum(a, b) => from_real(real(a).maximum(real(b))),
-        Op::Absolute(a) => from_real(real(a).absolute()),
-        Op::Sqrt(a) => from_real(real(a).sqrt()),
-        Op::Floor(a) => from_real(real(a).floor()),
-        Op::Ceil(a) => from_real(real(a).ceil()),
-        Op::Truncate(a) => from_real(real(a).truncate()),
-        Op::RoundEven(a) => from_real(real(a).round_even()),
-        Op::Less(a, b) => from_mask(real(a).less(real(b))),
-        Op::LessEqual(a, b) => from_mask(real(a).less_equal(real(b))),
-        Op::Equal(a, b) => from_mask(Real::equal(real(a), real(b))),
-        Op::NotEqual(a, b) => from_mask(real(a).not_equal(real(b))),
-        Op::ToInt(a) => from_int(real(a).to_int()),
-        Op::IntAdd(a, b) => from_int(int(a) + int(b)),
-        Op::IntSub(a, b) => from_int(int(a) - int(b)),
-        Op::IntMul(a, b) => from_int(int(a) * int(b)),
-        Op::And(a, b) => from_int(int(a) & int(b)),
-        Op::Or(a, b) => from_int(int(a) | int(b)),
-        Op::Xor(a, b) => from_int(int(a) ^ int(b)),
-        Op::Not(a) => !word(a),
-        Op::ShiftLeft(a, bits) => from_int(int(a).shift_left(bits)),
-        Op::ShiftRight(a, bits) => from_int(int(a).shift_right(bits)),
-        Op::ShiftRightSigned(a, bits) => from_int(int(a).shift_right_signed(bits)),
-        Op::IntEqual(a, b) => from_mask(Int::equal(int(a), int(b))),
-        Op::IntLess(a, b) => from_mask(Int::less(int(a), int(b))),
-        Op::ToReal(a) => from_real(int(a).to_real()),
-        Op::Select(mask, a, b) => from_int(Bool(word(mask) != 0).select(int(a), int(b))),
-    })
+}
+
+impl Registers<Scalar> for Constants<'_> {
+    type Word = u32;
+    fn load(&self, _: u32) -> u32 {
+        // Of what is not constant: never asked for.
+        0
+    }
+    fn constant(&self, bits: u32) -> u32 {
+        bits
+    }
+    fn class(&self, _: OpId) -> Class {
+        // Bits are bits.
+        Class::Int
+    }
+    fn real(&self, id: OpId) -> F32 {
+        F32(f32::from_bits(self.word(id)))
+    }
+    fn int(&self, id: OpId) -> I32 {
+        I32(self.word(id) as i32)
+    }
+    fn mask(&self, id: OpId) -> Bool {
+        Bool(self.word(id) != 0)
+    }
+    fn of_real(&self, value: F32) -> u32 {
+        value.0.to_bits()
+    }
+    fn of_int(&self, value: I32) -> u32 {
+        value.0 as u32
+    }
+    fn of_mask(&self, value: Bool) -> u32 {
+        if value.0 { ALL } else { 0 }
+    }
 }

@@ -1,8 +1,10 @@
 //! What the operations mean, one word at a time: the oracle the JIT is tested against.
 //!
-//! It shares nothing with [`crate::emit::scalar`], so that a slip in one shows against the other.
+//! Functions aside it shares nothing with [`crate::emit::scalar`], so that a slip in one shows against the other.
 
 use super::{Op, OpId, OpSegment};
+use crate::emit::Real;
+use crate::emit::scalar::F32;
 use crate::storage::{LANES, Lanes, Source};
 
 /// The word `op` yields. `load` gives the words of sources, `value` those of operands.
@@ -13,6 +15,9 @@ pub fn evaluate(op: Op, load: impl Fn(u32) -> u32, value: impl Fn(OpId) -> u32) 
     match op {
         Op::Load(source) => load(source),
         Op::Constant(bits) => bits,
+        Op::Number(number) => (number.value() as f32).to_bits(),
+        Op::Integer(value) => value as u32,
+        Op::Truth(value) => mask(value),
         Op::Add(a, b) => (real(a) + real(b)).to_bits(),
         Op::Sub(a, b) => (real(a) - real(b)).to_bits(),
         Op::Mul(a, b) => (real(a) * real(b)).to_bits(),
@@ -46,6 +51,24 @@ pub fn evaluate(op: Op, load: impl Fn(u32) -> u32, value: impl Fn(OpId) -> u32) 
         Op::IntLess(a, b) => mask(int(a) < int(b)),
         Op::ToReal(a) => (int(a) as f32).to_bits(),
         Op::Select(mask, a, b) => value(if value(mask) != 0 { a } else { b }),
+        // What a function is, its expansion says, in the operations above.
+        Op::Sin(a) => F32(real(a)).sin().0.to_bits(),
+        Op::Cos(a) => F32(real(a)).cos().0.to_bits(),
+        Op::Tan(a) => F32(real(a)).tan().0.to_bits(),
+        Op::Asin(a) => F32(real(a)).asin().0.to_bits(),
+        Op::Acos(a) => F32(real(a)).acos().0.to_bits(),
+        Op::Atan(a) => F32(real(a)).atan().0.to_bits(),
+        Op::Exp(a) => F32(real(a)).exp().0.to_bits(),
+        Op::Exp2(a) => F32(real(a)).exp2().0.to_bits(),
+        Op::Expm1(a) => F32(real(a)).expm1().0.to_bits(),
+        Op::Sinh(a) => F32(real(a)).sinh().0.to_bits(),
+        Op::Cosh(a) => F32(real(a)).cosh().0.to_bits(),
+        Op::Tanh(a) => F32(real(a)).tanh().0.to_bits(),
+        Op::Ln(a) => F32(real(a)).ln().0.to_bits(),
+        Op::Log2(a) => F32(real(a)).log2().0.to_bits(),
+        Op::Log1p(a) => F32(real(a)).log1p().0.to_bits(),
+        Op::Atan2(y, x) => F32(real(y)).atan2(F32(real(x))).0.to_bits(),
+        Op::Pow(a, b) => F32(real(a)).pow(F32(real(b))).0.to_bits(),
     }
 }
 

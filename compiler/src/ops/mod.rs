@@ -1,15 +1,21 @@
 //! The scalar operations of a pure segment: what the JIT fuses, and the passes that prepare them.
 //!
-//! Recorded on a [`Tape`], collected in a [`OpSegment`], then [`fold`], [`dead`] and [`split`].
-//! [`interpret`] says what the operations mean, `Display` prints a segment.
+//! Declared in one [`table`], recorded on a [`Tape`], collected in a [`OpSegment`], then [`legalise`],
+//! [`fold`], [`dead`] and [`split`]. [`apply`] evaluates them over any back end, [`interpret`] says what they
+//! mean, `Display` prints a segment.
 
+#[macro_use]
+mod table;
+
+pub mod apply;
 pub mod dead;
 pub mod fold;
 pub mod interpret;
+pub mod legalise;
 mod op;
 mod print;
 pub mod split;
 mod tape;
 
-pub use op::{Op, OpId, OpSegment};
+pub use op::{Class, Number, Op, OpId, OpSegment};
 pub use tape::{Tape, TapeInt, TapeMask, TapeReal};

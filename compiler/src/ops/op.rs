@@ -5,93 +5,157 @@ use crate::storage::Source;
 /// Position of an operation on its tape; operands come before.
 pub type OpId = u32;
 
-/// One operation on words. Every variant is an operation of [`crate::emit::Emit`]; see
-/// `docs/numerics.md`.
+/// A constant number, in 64 bits until a back end rounds it; equal where all its bits are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[expect(missing_docs, reason = "each is the operation of the same name in `emit`")]
-pub enum Op {
-    /// The word of a source, numbered by whoever records.
-    Load(u32),
-    /// These bits in every lane.
-    Constant(u32),
-    Add(OpId, OpId),
-    Sub(OpId, OpId),
-    Mul(OpId, OpId),
-    Div(OpId, OpId),
-    Neg(OpId),
-    MulAdd(OpId, OpId, OpId),
-    Minimum(OpId, OpId),
-    Maximum(OpId, OpId),
-    Absolute(OpId),
-    Sqrt(OpId),
-    Floor(OpId),
-    Ceil(OpId),
-    Truncate(OpId),
-    RoundEven(OpId),
-    Less(OpId, OpId),
-    LessEqual(OpId, OpId),
-    Equal(OpId, OpId),
-    NotEqual(OpId, OpId),
-    ToInt(OpId),
-    IntAdd(OpId, OpId),
-    IntSub(OpId, OpId),
-    IntMul(OpId, OpId),
-    And(OpId, OpId),
-    Or(OpId, OpId),
-    Xor(OpId, OpId),
-    Not(OpId),
-    ShiftLeft(OpId, u32),
-    ShiftRight(OpId, u32),
-    ShiftRightSigned(OpId, u32),
-    IntEqual(OpId, OpId),
-    IntLess(OpId, OpId),
-    ToReal(OpId),
-    /// Mask, value where true, value where false.
-    Select(OpId, OpId, OpId),
-}
+pub struct Number(u64);
 
-impl Op {
-    /// The same operation on operands renamed by `rename`, which is called in operand order.
-    pub fn map_operands(self, mut rename: impl FnMut(OpId) -> OpId) -> Self {
-        let mut r = |id| rename(id);
-        match self {
-            Op::Load(_) | Op::Constant(_) => self,
-            Op::Add(a, b) => Op::Add(r(a), r(b)),
-            Op::Sub(a, b) => Op::Sub(r(a), r(b)),
-            Op::Mul(a, b) => Op::Mul(r(a), r(b)),
-            Op::Div(a, b) => Op::Div(r(a), r(b)),
-            Op::Neg(a) => Op::Neg(r(a)),
-            Op::MulAdd(a, b, c) => Op::MulAdd(r(a), r(b), r(c)),
-            Op::Minimum(a, b) => Op::Minimum(r(a), r(b)),
-            Op::Maximum(a, b) => Op::Maximum(r(a), r(b)),
-            Op::Absolute(a) => Op::Absolute(r(a)),
-            Op::Sqrt(a) => Op::Sqrt(r(a)),
-            Op::Floor(a) => Op::Floor(r(a)),
-            Op::Ceil(a) => Op::Ceil(r(a)),
-            Op::Truncate(a) => Op::Truncate(r(a)),
-            Op::RoundEven(a) => Op::RoundEven(r(a)),
-            Op::Less(a, b) => Op::Less(r(a), r(b)),
-            Op::LessEqual(a, b) => Op::LessEqual(r(a), r(b)),
-            Op::Equal(a, b) => Op::Equal(r(a), r(b)),
-            Op::NotEqual(a, b) => Op::NotEqual(r(a), r(b)),
-            Op::ToInt(a) => Op::ToInt(r(a)),
-            Op::IntAdd(a, b) => Op::IntAdd(r(a), r(b)),
-            Op::IntSub(a, b) => Op::IntSub(r(a), r(b)),
-            Op::IntMul(a, b) => Op::IntMul(r(a), r(b)),
-            Op::And(a, b) => Op::And(r(a), r(b)),
-            Op::Or(a, b) => Op::Or(r(a), r(b)),
-            Op::Xor(a, b) => Op::Xor(r(a), r(b)),
-            Op::Not(a) => Op::Not(r(a)),
-            Op::ShiftLeft(a, bits) => Op::ShiftLeft(r(a), bits),
-            Op::ShiftRight(a, bits) => Op::ShiftRight(r(a), bits),
-            Op::ShiftRightSigned(a, bits) => Op::ShiftRightSigned(r(a), bits),
-            Op::IntEqual(a, b) => Op::IntEqual(r(a), r(b)),
-            Op::IntLess(a, b) => Op::IntLess(r(a), r(b)),
-            Op::ToReal(a) => Op::ToReal(r(a)),
-            Op::Select(mask, a, b) => Op::Select(r(mask), r(a), r(b)),
-        }
+impl Number {
+    /// The constant.
+    pub const fn new(value: f64) -> Self {
+        Self(value.to_bits())
     }
 
+    /// Its value.
+    pub const fn value(self) -> f64 {
+        f64::from_bits(self.0)
+    }
+}
+
+/// What the words of an operation's result mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// Numbers.
+    Real,
+    /// Integers.
+    Int,
+    /// Truth values: all bits set, or none.
+    Mask,
+}
+
+/// The [`Class`] of this name.
+macro_rules! class {
+    (real) => {
+        $crate::ops::Class::Real
+    };
+    (int) => {
+        $crate::ops::Class::Int
+    };
+    (mask) => {
+        $crate::ops::Class::Mask
+    };
+}
+
+/// The type of an operand, whatever its name.
+macro_rules! id {
+    ($operand:ident) => {
+        OpId
+    };
+}
+
+macro_rules! define {
+    (
+        operators { $($operator:ident $operator_name:literal $both:ident $trait:ident::$call:ident
+            [$($operator_flag:ident)?];)+ }
+        methods { $($method:ident $method_name:literal $of:ident.$calls:ident($($operand:ident: $its:ident),*)
+            -> $out:ident [$($method_flag:ident)?];)+ }
+        shifts { $($shift:ident $shift_calls:ident;)+ }
+        words { $($word:ident $word_name:literal ($($on:ident),+) [$($word_flag:ident)?];)+ }
+        functions { $($function:ident $function_calls:ident($($second:ident)?);)+ }
+    ) => {
+        /// One operation on words. Every variant is an operation of [`crate::emit::Emit`]; see
+        /// `docs/numerics.md`.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[expect(missing_docs, reason = "each is the operation of the same name in `emit`")]
+        pub enum Op {
+            /// The word of a source, numbered by whoever records.
+            Load(u32),
+            /// These bits in every lane, whatever they mean.
+            Constant(u32),
+            /// A constant number. [`legalise`](super::legalise) rounds it.
+            Number(Number),
+            /// A constant integer.
+            Integer(i32),
+            /// A constant truth value.
+            Truth(bool),
+            $($operator(OpId, OpId),)+
+            $($method(OpId $(, id!($operand))*),)+
+            /// By a constant number of bits below 32.
+            $($shift(OpId, u32),)+
+            $($word($(id!($on)),+),)+
+            $($function(OpId $(, id!($second))?),)+
+        }
+
+        impl Op {
+            /// The names of all operations, fetches aside, as their variants are called.
+            pub const ALL: &[&str] = &[
+                $(stringify!($operator),)+ $(stringify!($method),)+ $(stringify!($shift),)+
+                $(stringify!($word),)+ $(stringify!($function),)+
+            ];
+
+            /// What it is called in text.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    Op::Load(..) => "load",
+                    Op::Constant(..) => "constant",
+                    Op::Number(..) => "number",
+                    Op::Integer(..) => "integer",
+                    Op::Truth(..) => "truth",
+                    $(Op::$operator(..) => $operator_name,)+
+                    $(Op::$method(..) => $method_name,)+
+                    $(Op::$shift(..) => stringify!($shift_calls),)+
+                    $(Op::$word(..) => $word_name,)+
+                    $(Op::$function(..) => stringify!($function_calls),)+
+                }
+            }
+
+            /// What its result means; none where that is what its operands or sources mean.
+            pub const fn class(self) -> Option<Class> {
+                Some(match self {
+                    Op::Load(..) | Op::Constant(..) => return None,
+                    Op::Number(..) => Class::Real,
+                    Op::Integer(..) => Class::Int,
+                    Op::Truth(..) => Class::Mask,
+                    $(Op::$operator(..) => class!($both),)+
+                    $(Op::$method(..) => class!($out),)+
+                    $(Op::$shift(..) => Class::Int,)+
+                    $(Op::$word(..) => return None,)+
+                    $(Op::$function(..) => Class::Real,)+
+                })
+            }
+
+            /// Whether it is a function, which a tier expands.
+            pub const fn is_function(self) -> bool {
+                matches!(self, $(Op::$function(..))|+)
+            }
+
+            /// Whether its first two operands may change places.
+            pub const fn is_commutative(self) -> bool {
+                let flag = match self {
+                    $(Op::$operator(..) => stringify!($($operator_flag)?),)+
+                    $(Op::$method(..) => stringify!($($method_flag)?),)+
+                    $(Op::$word(..) => stringify!($($word_flag)?),)+
+                    _ => "",
+                };
+                !flag.is_empty()
+            }
+
+            /// The same operation on operands renamed by `rename`, which is called in operand order.
+            pub fn map_operands(self, mut rename: impl FnMut(OpId) -> OpId) -> Self {
+                match self {
+                    Op::Load(_) | Op::Constant(_) | Op::Number(_) | Op::Integer(_) | Op::Truth(_) => self,
+                    $(Op::$operator(a, b) => Op::$operator(rename(a), rename(b)),)+
+                    $(Op::$method(a $(, $operand)*) => Op::$method(rename(a) $(, rename($operand))*),)+
+                    $(Op::$shift(a, bits) => Op::$shift(rename(a), bits),)+
+                    $(Op::$word($($on),+) => Op::$word($(rename($on)),+),)+
+                    $(Op::$function(a $(, $second)?) => Op::$function(rename(a) $(, rename($second))?),)+
+                }
+            }
+        }
+    };
+}
+operations! {define}
+
+impl Op {
     /// Calls `visit` with every operand, in order.
     pub fn for_each_operand(self, mut visit: impl FnMut(OpId)) {
         self.map_operands(|id| {
@@ -100,9 +164,31 @@ impl Op {
         });
     }
 
+    /// The same with the operands of a commutative operation in order, so that value numbering finds
+    /// it however it was written.
+    #[must_use]
+    pub fn in_order(self) -> Self {
+        if !self.is_commutative() {
+            return self;
+        }
+        let (mut first, mut count) = ([0; 2], 0);
+        self.for_each_operand(|id| {
+            if count < 2 {
+                first[count] = id;
+            }
+            count += 1;
+        });
+        first.sort_unstable();
+        let mut first = first.into_iter();
+        self.map_operands(|id| first.next().unwrap_or(id))
+    }
+
     /// Whether it only fetches a word: cheaper to repeat than to keep.
     pub fn is_fetch(self) -> bool {
-        matches!(self, Op::Load(_) | Op::Constant(_))
+        matches!(
+            self,
+            Op::Load(_) | Op::Constant(_) | Op::Number(_) | Op::Integer(_) | Op::Truth(_)
+        )
     }
 }
 

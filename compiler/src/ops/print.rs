@@ -29,10 +29,13 @@ impl Display for OpSegment {
 
 impl Display for Op {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", name(*self))?;
+        f.write_str(self.name())?;
         match *self {
             Op::Load(n) => return write!(f, " {n}"),
             Op::Constant(bits) => return constant(f, bits),
+            Op::Number(number) => return write!(f, " {:?}", number.value()),
+            Op::Integer(value) => return write!(f, " {value}"),
+            Op::Truth(value) => return write!(f, " {value}"),
             _ => {}
         }
         let mut separator = " ";
@@ -73,45 +76,5 @@ fn constant(f: &mut Formatter<'_>, bits: u32) -> fmt::Result {
             };
             write!(f, " {sign}0x1.{fraction}p{exponent} ({value:?})")
         }
-    }
-}
-
-fn name(op: Op) -> &'static str {
-    match op {
-        Op::Load(..) => "load",
-        Op::Constant(..) => "constant",
-        Op::Add(..) => "add",
-        Op::Sub(..) => "sub",
-        Op::Mul(..) => "mul",
-        Op::Div(..) => "div",
-        Op::Neg(..) => "neg",
-        Op::MulAdd(..) => "mul_add",
-        Op::Minimum(..) => "minimum",
-        Op::Maximum(..) => "maximum",
-        Op::Absolute(..) => "absolute",
-        Op::Sqrt(..) => "sqrt",
-        Op::Floor(..) => "floor",
-        Op::Ceil(..) => "ceil",
-        Op::Truncate(..) => "truncate",
-        Op::RoundEven(..) => "round_even",
-        Op::Less(..) => "less",
-        Op::LessEqual(..) => "less_equal",
-        Op::Equal(..) => "equal",
-        Op::NotEqual(..) => "not_equal",
-        Op::ToInt(..) => "to_int",
-        Op::IntAdd(..) => "int_add",
-        Op::IntSub(..) => "int_sub",
-        Op::IntMul(..) => "int_mul",
-        Op::And(..) => "and",
-        Op::Or(..) => "or",
-        Op::Xor(..) => "xor",
-        Op::Not(..) => "not",
-        Op::ShiftLeft(..) => "shift_left",
-        Op::ShiftRight(..) => "shift_right",
-        Op::ShiftRightSigned(..) => "shift_right_signed",
-        Op::IntEqual(..) => "int_equal",
-        Op::IntLess(..) => "int_less",
-        Op::ToReal(..) => "to_real",
-        Op::Select(..) => "select",
     }
 }

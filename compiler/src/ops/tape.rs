@@ -4,13 +4,15 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
-use super::{Op, OpId};
-use crate::emit::{Bits, Emit, Int, Mask, Real, Select, Sink, Words, standard_functions};
+use super::{Number, Op, OpId};
+use crate::emit::{Bits, Emit, Int, Mask, Real, Select, Sink, Words, standard};
 
 /// Operations in order, each recorded once: an operation already on the tape is found again.
 #[derive(Debug, Default)]
 pub struct Tape {
     inner: RefCell<Inner>,
+    /// Whether functions are expanded, and constants rounded, as they come.
+    standard: bool,
 }
 
 #[derive(Debug, Default)]
@@ -23,6 +25,11 @@ impl Tape {
     /// An empty tape.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// An empty tape of the standard tier's operations of 32 bits; see [`super::legalise`].
+    pub fn standard() -> Self {
+        Self { standard: true, ..Self::default() }
     }
 
     /// Records `op`, or finds it.
@@ -49,50 +56,131 @@ impl Tape {
     pub fn into_ops(self) -> Vec<Op> {
         self.inner.into_inner().ops
     }
+
+    /// What was recorded at `id`, as a value.
+    pub(super) fn at<'t, T: OnTape<'t>>(&'t self, id: OpId) -> T {
+        T::at(self, id)
+    }
+
+    fn record<'t, T: OnTape<'t>>(&'t self, op: Op) -> T {
+        self.at(self.push(op))
+    }
+
+    fn number(&self, value: f64) -> OpId {
+        self.push(match self.standard {
+            true => Op::Constant((value as f32).to_bits()),
+            false => Op::Number(Number::new(value)),
+        })
+    }
+
+    fn integer(&self, value: i32) -> OpId {
+        self.push(if self.standard { Op::Constant(value as u32) } else { Op::Integer(value) })
+    }
+
+    fn truth(&self, value: bool) -> OpId {
+        let bits = if value { u32::MAX } else { 0 };
+        self.push(if self.standard { Op::Constant(bits) } else { Op::Truth(value) })
+    }
 }
 
-/// A number on a tape.
-#[derive(Clone, Copy, Debug)]
-pub struct TapeReal<'t>(&'t Tape, OpId);
-/// An integer on a tape.
-#[derive(Clone, Copy, Debug)]
-pub struct TapeInt<'t>(&'t Tape, OpId);
-/// A truth value on a tape.
-#[derive(Clone, Copy, Debug)]
-pub struct TapeMask<'t>(&'t Tape, OpId);
+/// A value on a tape.
+pub(super) trait OnTape<'t> {
+    fn at(tape: &'t Tape, id: OpId) -> Self;
+}
+
+macro_rules! values {
+    ($($(#[$doc:meta])* $type:ident;)+) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub struct $type<'t>(&'t Tape, OpId);
+
+        impl $type<'_> {
+            /// Its position.
+            pub(super) fn id(self) -> OpId {
+                self.1
+            }
+        }
+
+        impl<'t> OnTape<'t> for $type<'t> {
+            fn at(tape: &'t Tape, id: OpId) -> Self {
+                Self(tape, id)
+            }
+        }
+
+        impl<'t> Select<TapeMask<'t>> for $type<'t> {
+            fn select(mask: TapeMask<'t>, if_true: Self, if_false: Self) -> Self {
+                mask.0.record(Op::Select(mask.1, if_true.1, if_false.1))
+            }
+        }
+    )+};
+}
+values! {
+    /// A number on a tape.
+    TapeReal;
+    /// An integer on a tape.
+    TapeInt;
+    /// A truth value on a tape.
+    TapeMask;
+}
 
 impl<'t> Emit for &'t Tape {
     type Real = TapeReal<'t>;
     type Int = TapeInt<'t>;
     type Mask = TapeMask<'t>;
     fn real(self, value: f64) -> TapeReal<'t> {
-        TapeReal(self, self.push(Op::Constant((value as f32).to_bits())))
+        self.at(self.number(value))
     }
     fn int(self, value: i32) -> TapeInt<'t> {
-        TapeInt(self, self.push(Op::Constant(value as u32)))
+        self.at(self.integer(value))
     }
     fn mask(self, value: bool) -> TapeMask<'t> {
-        TapeMask(self, self.push(Op::Constant(if value { u32::MAX } else { 0 })))
+        self.at(self.truth(value))
     }
 }
 
-macro_rules! binary {
-    ($type:ident: $($trait:ident $method:ident $op:ident),+) => {$(
-        impl<'t> $trait for $type<'t> {
+/// The value type of a class.
+macro_rules! of {
+    (real $lifetime:lifetime) => { TapeReal<$lifetime> };
+    (int $lifetime:lifetime) => { TapeInt<$lifetime> };
+    (mask $lifetime:lifetime) => { TapeMask<$lifetime> };
+}
+
+macro_rules! bitwise {
+    ($($type:ident: $trait:ident $method:ident $op:ident;)+) => {$(
+        impl $trait for $type<'_> {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
-                Self(self.0, self.0.push(Op::$op(self.1, other.1)))
+                self.0.record(Op::$op(self.1, other.1))
             }
         }
     )+};
 }
-binary!(TapeReal: Add add Add, Sub sub Sub, Mul mul Mul, Div div Div);
-binary!(TapeInt: Add add IntAdd, Sub sub IntSub, Mul mul IntMul, BitAnd bitand And, BitOr bitor Or, BitXor bitxor Xor);
-binary!(TapeMask: BitAnd bitand And, BitOr bitor Or, BitXor bitxor Xor);
+bitwise! {
+    TapeInt: BitAnd bitand And;
+    TapeInt: BitOr bitor Or;
+    TapeInt: BitXor bitxor Xor;
+    TapeMask: BitAnd bitand And;
+    TapeMask: BitOr bitor Or;
+    TapeMask: BitXor bitxor Xor;
+}
+
+impl Not for TapeMask<'_> {
+    type Output = Self;
+    fn not(self) -> Self {
+        self.0.record(Op::Not(self.1))
+    }
+}
+
+impl Neg for TapeReal<'_> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.0.record(Op::Neg(self.1))
+    }
+}
 
 macro_rules! with_constant {
     ($($trait:ident $method:ident),+) => {$(
-        impl<'t> $trait<f64> for TapeReal<'t> {
+        impl $trait<f64> for TapeReal<'_> {
             type Output = Self;
             fn $method(self, constant: f64) -> Self {
                 self.$method(self.same(constant))
@@ -102,129 +190,71 @@ macro_rules! with_constant {
 }
 with_constant!(Add add, Sub sub, Mul mul, Div div);
 
-impl Neg for TapeReal<'_> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(self.0, self.0.push(Op::Neg(self.1)))
-    }
-}
-
-impl Not for TapeMask<'_> {
-    type Output = Self;
-    fn not(self) -> Self {
-        Self(self.0, self.0.push(Op::Not(self.1)))
-    }
-}
-
-macro_rules! select {
-    ($($type:ident),+) => {$(
-        impl<'t> Select<TapeMask<'t>> for $type<'t> {
-            fn select(mask: TapeMask<'t>, if_true: Self, if_false: Self) -> Self {
-                Self(mask.0, mask.0.push(Op::Select(mask.1, if_true.1, if_false.1)))
-            }
+/// One method of a trait: those of the other class, and operators of `std::ops`, are left out.
+macro_rules! method {
+    (real of real neg $($rest:tt)*) => {};
+    (real of int $($rest:tt)*) => {};
+    (int of real $($rest:tt)*) => {};
+    ($class:ident of $same:ident $calls:ident $op:ident ($($operand:ident: $its:ident),*) -> $out:ident) => {
+        fn $calls(self $(, $operand: of!($its 't))*) -> of!($out 't) {
+            self.0.record(Op::$op(self.1 $(, $operand.1)*))
         }
-    )+};
-}
-select!(TapeReal, TapeInt, TapeMask);
-
-impl<'t> TapeReal<'t> {
-    fn unary(self, op: Op) -> Self {
-        Self(self.0, self.0.push(op))
-    }
-    fn compare(self, op: Op) -> TapeMask<'t> {
-        TapeMask(self.0, self.0.push(op))
-    }
+    };
 }
 
-impl<'t> Real for TapeReal<'t> {
-    type Mask = TapeMask<'t>;
-    type Int = TapeInt<'t>;
-    fn same(self, value: f64) -> Self {
-        self.unary(Op::Constant((value as f32).to_bits()))
-    }
-    fn mul_add(self, factor: Self, addend: Self) -> Self {
-        self.unary(Op::MulAdd(self.1, factor.1, addend.1))
-    }
-    fn minimum(self, other: Self) -> Self {
-        self.unary(Op::Minimum(self.1, other.1))
-    }
-    fn maximum(self, other: Self) -> Self {
-        self.unary(Op::Maximum(self.1, other.1))
-    }
-    fn absolute(self) -> Self {
-        self.unary(Op::Absolute(self.1))
-    }
-    fn sqrt(self) -> Self {
-        self.unary(Op::Sqrt(self.1))
-    }
-    fn floor(self) -> Self {
-        self.unary(Op::Floor(self.1))
-    }
-    fn ceil(self) -> Self {
-        self.unary(Op::Ceil(self.1))
-    }
-    fn truncate(self) -> Self {
-        self.unary(Op::Truncate(self.1))
-    }
-    fn round_even(self) -> Self {
-        self.unary(Op::RoundEven(self.1))
-    }
-    fn less(self, other: Self) -> TapeMask<'t> {
-        self.compare(Op::Less(self.1, other.1))
-    }
-    fn less_equal(self, other: Self) -> TapeMask<'t> {
-        self.compare(Op::LessEqual(self.1, other.1))
-    }
-    fn equal(self, other: Self) -> TapeMask<'t> {
-        self.compare(Op::Equal(self.1, other.1))
-    }
-    fn not_equal(self, other: Self) -> TapeMask<'t> {
-        self.compare(Op::NotEqual(self.1, other.1))
-    }
-    fn to_int(self) -> TapeInt<'t> {
-        TapeInt(self.0, self.0.push(Op::ToInt(self.1)))
-    }
-    standard_functions!();
+macro_rules! define {
+    (
+        operators { $($operator:ident $operator_name:literal $both:ident $trait:ident::$call:ident
+            [$($operator_flag:ident)?];)+ }
+        methods { $($method:ident $method_name:literal $of:ident.$calls:ident $operands:tt
+            -> $out:ident [$($method_flag:ident)?];)+ }
+        shifts { $($shift:ident $shift_calls:ident;)+ }
+        words $words:tt
+        functions { $($function:ident $function_calls:ident($($second:ident)?);)+ }
+    ) => {
+        $(impl<'t> $trait for of!($both 't) {
+            type Output = Self;
+            fn $call(self, other: Self) -> Self {
+                self.0.record(Op::$operator(self.1, other.1))
+            }
+        })+
+
+        impl<'t> Real for TapeReal<'t> {
+            type Mask = TapeMask<'t>;
+            type Int = TapeInt<'t>;
+            fn same(self, value: f64) -> Self {
+                self.0.at(self.0.number(value))
+            }
+            $(method! { real of $of $calls $method $operands -> $out })+
+            $(fn $function_calls(self $(, $second: Self)?) -> Self {
+                match self.0.standard {
+                    true => standard::$function_calls(self $(, $second)?),
+                    false => self.0.record(Op::$function(self.1 $(, $second.1)?)),
+                }
+            })+
+        }
+
+        impl<'t> Int for TapeInt<'t> {
+            type Mask = TapeMask<'t>;
+            type Real = TapeReal<'t>;
+            fn same(self, value: i32) -> Self {
+                self.0.at(self.0.integer(value))
+            }
+            $(fn $shift_calls(self, bits: u32) -> Self {
+                self.0.record(Op::$shift(self.1, bits))
+            })+
+            $(method! { int of $of $calls $method $operands -> $out })+
+        }
+    };
 }
+operations! {define}
 
 impl<'t> Bits for TapeReal<'t> {
     fn to_bits(self) -> TapeInt<'t> {
-        TapeInt(self.0, self.1)
+        self.0.at(self.1)
     }
     fn from_bits(bits: TapeInt<'t>) -> Self {
-        Self(bits.0, bits.1)
-    }
-}
-
-impl<'t> TapeInt<'t> {
-    fn unary(self, op: Op) -> Self {
-        Self(self.0, self.0.push(op))
-    }
-}
-
-impl<'t> Int for TapeInt<'t> {
-    type Mask = TapeMask<'t>;
-    type Real = TapeReal<'t>;
-    fn same(self, value: i32) -> Self {
-        self.unary(Op::Constant(value as u32))
-    }
-    fn shift_left(self, bits: u32) -> Self {
-        self.unary(Op::ShiftLeft(self.1, bits))
-    }
-    fn shift_right(self, bits: u32) -> Self {
-        self.unary(Op::ShiftRight(self.1, bits))
-    }
-    fn shift_right_signed(self, bits: u32) -> Self {
-        self.unary(Op::ShiftRightSigned(self.1, bits))
-    }
-    fn equal(self, other: Self) -> TapeMask<'t> {
-        TapeMask(self.0, self.0.push(Op::IntEqual(self.1, other.1)))
-    }
-    fn less(self, other: Self) -> TapeMask<'t> {
-        TapeMask(self.0, self.0.push(Op::IntLess(self.1, other.1)))
-    }
-    fn to_real(self) -> TapeReal<'t> {
-        TapeReal(self.0, self.0.push(Op::ToReal(self.1)))
+        bits.0.at(bits.1)
     }
 }
 

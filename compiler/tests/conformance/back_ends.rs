@@ -1,7 +1,7 @@
 //! The back ends under test, each as a function from rows of inputs to rows of outputs.
 
 use phenomenon_compiler::engine::jit::JitCode;
-use phenomenon_compiler::ops::{OpSegment, dead, fold, split};
+use phenomenon_compiler::ops::{OpSegment, dead, fold, legalise, split};
 use phenomenon_compiler::storage::{FileShape, LANES, Lanes, Placement, Source};
 
 use crate::cases::Case;
@@ -72,13 +72,14 @@ fn point_by_point(run: fn(&[u32], &mut [u32]), case: &Case, inputs: &Rows) -> Ro
 /// Slots past inputs and outputs, for values that cross the cuts of a split segment.
 const SCRATCH: usize = 64;
 
-/// Records the case, prepares the segment, compiles it, and runs its parts.
+/// Records the case, legalises and prepares the segment, compiles it, and runs its parts.
 fn compiled(case: &Case, inputs: &Rows, prepare: impl Fn(OpSegment) -> Vec<OpSegment>) -> Rows {
     let sources: Vec<Source> = (0..inputs.width as u32).map(Source::Slot).collect();
     let (ops, results) = reference::tape(case);
     let first = inputs.width as u32;
     let stores = (first..).zip(results).collect();
-    let parts = prepare(OpSegment { ops, sources: sources.clone(), stores });
+    let segment = OpSegment { ops, sources: sources.clone(), stores };
+    let parts = prepare(legalise::legalise(&segment));
     let slots = inputs.width + case.outputs.len() + SCRATCH;
     let code = JitCode::compile(&parts, FileShape { uniforms: UNIFORMS, slots }).expect("compiles");
     let run = |file: &mut [Lanes], placement: &Placement<'_>| {

@@ -1,5 +1,7 @@
 //! The operations and functions under test, one line each.
 
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
 use phenomenon_compiler::emit::Body;
 use phenomenon_compiler::emit::functions::conventions;
 use phenomenon_compiler::emit::{
@@ -73,36 +75,38 @@ macro_rules! cases {
 /// All of them.
 pub fn cases() -> Vec<Case> {
     let mut list = vec![];
-    primitives(&mut list);
+    table(&mut list);
+    words(&mut list);
     compositions(&mut list);
-    transcendental(&mut list);
     guarded(&mut list);
     list
 }
 
-cases! { primitives, true:
-    Add |a: real, b: real| -> real a + b;
-    Sub |a: real, b: real| -> real a - b;
-    Mul |a: real, b: real| -> real a * b;
-    Div |a: real, b: real| -> real a / b;
-    Neg |a: real| -> real -a;
-    MulAdd |a: real, b: real, c: real| -> real a.mul_add(b, c);
-    Minimum |a: real, b: real| -> real a.minimum(b);
-    Maximum |a: real, b: real| -> real a.maximum(b);
-    Absolute |a: real| -> real a.absolute();
-    Sqrt |a: real| -> real a.sqrt();
-    Floor |a: real| -> real a.floor();
-    Ceil |a: real| -> real a.ceil();
-    Truncate |a: real| -> real a.truncate();
-    RoundEven |a: real| -> real a.round_even();
-    Less |a: real, b: real| -> mask a.less(b);
-    LessEqual |a: real, b: real| -> mask a.less_equal(b);
-    Equal |a: real, b: real| -> mask a.equal(b);
-    NotEqual |a: real, b: real| -> mask a.not_equal(b);
-    ToInt |a: real| -> int a.to_int();
-    IntAdd |a: int, b: int| -> int a + b;
-    IntSub |a: int, b: int| -> int a - b;
-    IntMul |a: int, b: int| -> int a * b;
+/// The operations of the table. `Add` of two numbers is its variant over its operands.
+macro_rules! table {
+    (
+        operators { $($operator:ident $operator_name:literal $both:ident $trait:ident::$call:ident $f:tt;)+ }
+        methods { $($method:ident $method_name:literal $of:ident.$calls:ident($($operand:ident: $its:ident),*)
+            -> $out:ident $g:tt;)+ }
+        shifts { $($shift:ident $shift_calls:ident;)+ }
+        words $words:tt
+        functions { $($function:ident $function_calls:ident($($second:ident)?);)+ }
+    ) => {
+        fn table(list: &mut Vec<Case>) {
+            $(case!(list, true, $operator, |a: $both, b: $both| -> $both $trait::$call(a, b));)+
+            $(case!(list, true, $method, |a: $of $(, $operand: $its)*| -> $out a.$calls($($operand),*));)+
+            $(
+                case!(list, true, $shift, |a: int| -> int a.$shift_calls(5));
+                case!(list, true, $shift, |a: int| -> int a.$shift_calls(31));
+            )+
+            $(case!(list, true, $function, |a: real $(, $second: real)?| -> real a.$function_calls($($second)?));)+
+        }
+    };
+}
+phenomenon_compiler::operations! {table}
+
+// What works on words, for each meaning they may have.
+cases! { words, true:
     And |a: int, b: int| -> int a & b;
     Or |a: int, b: int| -> int a | b;
     Xor |a: int, b: int| -> int a ^ b;
@@ -110,15 +114,6 @@ cases! { primitives, true:
     Or |a: mask, b: mask| -> mask a | b;
     Xor |a: mask, b: mask| -> mask a ^ b;
     Not |a: mask| -> mask !a;
-    ShiftLeft |a: int| -> int a.shift_left(5);
-    ShiftLeft |a: int| -> int a.shift_left(31);
-    ShiftRight |a: int| -> int a.shift_right(9);
-    ShiftRight |a: int| -> int a.shift_right(31);
-    ShiftRightSigned |a: int| -> int a.shift_right_signed(3);
-    ShiftRightSigned |a: int| -> int a.shift_right_signed(31);
-    IntEqual |a: int, b: int| -> mask a.equal(b);
-    IntLess |a: int, b: int| -> mask a.less(b);
-    ToReal |a: int| -> real a.to_real();
     Select |m: mask, a: real, b: real| -> real m.select(a, b);
     Select |m: mask, a: int, b: int| -> int m.select(a, b);
     Select |m: mask, a: mask, b: mask| -> mask m.select(a, b);
@@ -138,26 +133,6 @@ cases! { compositions, false:
     normalized |a: vector| -> vector a.normalized();
     vector_minimum |a: vector, b: vector| -> vector Components::minimum(a, b);
     vector_scaled |a: vector, f: real| -> vector a * f;
-}
-
-cases! { transcendental, false:
-    exp |a: real| -> real a.exp();
-    exp2 |a: real| -> real a.exp2();
-    expm1 |a: real| -> real a.expm1();
-    sinh |a: real| -> real a.sinh();
-    cosh |a: real| -> real a.cosh();
-    tanh |a: real| -> real a.tanh();
-    ln |a: real| -> real a.ln();
-    log2 |a: real| -> real a.log2();
-    log1p |a: real| -> real a.log1p();
-    sin |a: real| -> real a.sin();
-    cos |a: real| -> real a.cos();
-    tan |a: real| -> real a.tan();
-    asin |a: real| -> real a.asin();
-    acos |a: real| -> real a.acos();
-    atan |a: real| -> real a.atan();
-    atan2 |y: real, x: real| -> real y.atan2(x);
-    pow |x: real, y: real| -> real x.pow(y);
 }
 
 cases! { guarded, false:

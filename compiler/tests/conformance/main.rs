@@ -8,6 +8,8 @@ mod cases;
 mod inputs;
 mod reference;
 
+use phenomenon_compiler::ops::{OpSegment, Tape, legalise};
+
 use back_ends::{Rows, all};
 use cases::{Case, Word, cases};
 
@@ -60,6 +62,26 @@ fn the_recorder_records_the_operation_itself() {
     for case in cases().iter().filter(|case| case.primitive) {
         let operation = reference::recorded(case);
         assert_eq!(operation, vec![case.name.to_owned()], "{}", case.name);
+    }
+}
+
+#[test]
+fn every_operation_of_the_table_is_a_case() {
+    let cases = cases();
+    for operation in phenomenon_compiler::ops::Op::ALL {
+        assert!(cases.iter().any(|case| case.name == *operation), "{operation}");
+    }
+}
+
+#[test]
+fn recording_and_then_legalising_records_what_expanding_at_once_does() {
+    for case in cases() {
+        let (ops, stores) = reference::tape(&case);
+        let stores = (0..).zip(stores).collect();
+        let segment = OpSegment { ops, sources: vec![], stores };
+        let (ops, stores) = reference::tape_of(&case, Tape::standard());
+        let at_once = OpSegment { ops, sources: vec![], stores: (0..).zip(stores).collect() };
+        assert_eq!(legalise::legalise(&segment), at_once, "{}", case.name);
     }
 }
 

@@ -228,6 +228,8 @@ fn malformed_segments_are_refused() {
     assert!(refused(OpSegment { stores: vec![(1, 0)], ..one_store() }, 1, 1));
     assert!(refused(OpSegment { stores: vec![(0, 1)], ..one_store() }, 1, 1));
     assert!(refused(OpSegment { ops: vec![Op::Neg(0)], ..one_store() }, 1, 1));
+    assert!(refused(OpSegment { ops: vec![Op::Load(0), Op::Sin(0)], ..one_store() }, 1, 1));
+    assert!(refused(OpSegment { ops: vec![Op::Truth(true)], ..one_store() }, 1, 1));
     let huge = JitCode::compile(&[], FileShape { uniforms: 1, slots: 1 << 27 })
         .expect_err("offsets do not fit");
     assert_eq!(huge, JitError::TooLarge { words: 1 << 27 });

@@ -1,6 +1,6 @@
 //! Hard words, and comparing what segments leave in their files.
 
-use phenomenon_compiler::ops::{Op, OpId, OpSegment, interpret};
+use phenomenon_compiler::ops::{Class, Op, OpId, OpSegment, interpret};
 use phenomenon_compiler::storage::{LANES, Lanes};
 
 /// Numbers that break careless code.
@@ -98,23 +98,15 @@ impl Kind {
 
 /// The kind of what `op` yields, given the kinds of its operands.
 pub fn yields(op: Op, kind: impl Fn(OpId) -> Kind) -> Kind {
-    match op {
-        Op::Load(_) | Op::Constant(_) => unreachable!("known to whoever makes it"),
-        Op::Less(..)
-        | Op::LessEqual(..)
-        | Op::Equal(..)
-        | Op::NotEqual(..)
-        | Op::IntEqual(..)
-        | Op::IntLess(..) => Kind::Mask,
-        Op::And(a, _) | Op::Or(a, _) | Op::Xor(a, _) | Op::Not(a) | Op::Select(_, a, _) => kind(a),
-        Op::ToInt(_)
-        | Op::IntAdd(..)
-        | Op::IntSub(..)
-        | Op::IntMul(..)
-        | Op::ShiftLeft(..)
-        | Op::ShiftRight(..)
-        | Op::ShiftRightSigned(..) => Kind::Int,
-        _ => Kind::Real,
+    match op.class() {
+        Some(Class::Real) => Kind::Real,
+        Some(Class::Int) => Kind::Int,
+        Some(Class::Mask) => Kind::Mask,
+        None => {
+            let mut last = None;
+            op.for_each_operand(|id| last = Some(id));
+            kind(last.expect("whoever makes a fetch knows"))
+        }
     }
 }
 

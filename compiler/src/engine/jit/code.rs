@@ -78,7 +78,8 @@ impl JitCode {
         }
     }
 
-    /// Compiles each segment to a function over files of that shape. Segments are compiled as they are: fold and split them before.
+    /// Compiles each segment to a function over files of that shape. Segments are compiled as they are:
+    /// legalise, fold and split them before.
     ///
     /// # Errors
     /// See [`JitError`].
@@ -186,7 +187,8 @@ impl Compiler {
         let index = self.functions.len() as u32;
         let config = self.module.target_config();
         self.context.func.name = UserFuncName::user(0, index);
-        lower(segment, shape, config, &mut self.context.func, &mut self.builder);
+        lower(segment, shape, config, &mut self.context.func, &mut self.builder)
+            .map_err(|what| JitError::Malformed { segment: index as usize, what })?;
         let id = self
             .module
             .declare_function(

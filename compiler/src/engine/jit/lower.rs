@@ -20,7 +20,7 @@ use cranelift_codegen::ir::{
     AbiParam, BlockArg, ConstantData, Function, InstBuilder, MemFlagsData, Signature, Type, Value,
 };
 use cranelift_codegen::isa::TargetFrontendConfig;
-use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
+use cranelift_frontend::{FuncInstBuilder, FunctionBuilder, FunctionBuilderContext};
 
 use crate::ops::{Op, OpId, OpSegment};
 use crate::storage::{FileShape, Lanes, Source};
@@ -32,13 +32,16 @@ const HALF: i64 = 16;
 
 /// Writes the function of `segment` into `function`. Sizes are below 2^31 bytes, and the segment is
 /// well formed.
+///
+/// # Errors
+/// For an operation that [`legalise`](crate::ops::legalise) should have replaced.
 pub fn lower(
     segment: &OpSegment,
     shape: FileShape,
     config: TargetFrontendConfig,
     function: &mut Function,
     context: &mut FunctionBuilderContext,
-) {
+) -> Result<(), &'static str> {
     let mut signature = Signature::new(config.default_call_conv);
     signature.params.extend([AbiParam::new(I64), AbiParam::new(I64)]);
     function.signature = signature;
@@ -46,7 +49,9 @@ pub fn lower(
     let entry = builder.create_block();
     builder.append_block_params_for_function_params(entry);
     builder.switch_to_block(entry);
-    let &[file, blocks] = builder.block_params(entry) else { return };
+    let &[file, blocks] = builder.block_params(entry) else {
+        return Err("a function has not its two parameters");
+    };
     let before = builder.ins().iconst(I64, (shape.uniforms * WORD) as i64);
     let first = builder.ins().iadd(file, before);
     let size = builder.ins().imul_imm_s(blocks, (shape.slots * WORD) as i64);
@@ -62,7 +67,7 @@ pub fn lower(
     builder.switch_to_block(body);
     // The start of the file, found anew in every turn: see the module's words on uniforms.
     let file = builder.ins().isub(at, before);
-    Lowering { builder: &mut builder, segment, file, at, words: Vec::new() }.run();
+    Lowering { builder: &mut builder, segment, file, at, words: Vec::new() }.run()?;
     let next = builder.ins().iadd(at, step);
     let next_before = builder.ins().iadd(before, step);
     let whole = builder.ins().iconst(I64, (shape.slots * WORD) as i64);
@@ -75,6 +80,7 @@ pub fn lower(
     builder.ins().return_(&[]);
     builder.seal_all_blocks();
     builder.finalize(config);
+    Ok(())
 }
 
 /// The forms of one word that were asked for.
@@ -82,8 +88,20 @@ pub fn lower(
 struct Word {
     real: Option<Value>,
     bits: Option<Value>,
+    /// The bits it always has, if it is a constant.
+    constant: Option<u32>,
     /// Which comparison made it, if one did.
     mask: Comparison,
+}
+
+impl Word {
+    fn of_real(value: Value) -> Self {
+        Self { real: Some(value), ..Self::default() }
+    }
+
+    fn of_bits(value: Value) -> Self {
+        Self { bits: Some(value), ..Self::default() }
+    }
 }
 
 #[derive(Clone, Copy, Default, PartialEq)]
@@ -105,10 +123,10 @@ struct Lowering<'a, 'b> {
 }
 
 impl Lowering<'_, '_> {
-    fn run(mut self) {
+    fn run(mut self) -> Result<(), &'static str> {
         self.words.reserve(self.segment.ops.len());
         for &op in &self.segment.ops {
-            let word = self.op(op);
+            let word = self.op(op)?;
             self.words.push(word);
         }
         for &(slot, id) in &self.segment.stores {
@@ -117,13 +135,47 @@ impl Lowering<'_, '_> {
             let flags = MemFlagsData::new().with_notrap().with_aligned();
             self.builder.ins().store(flags, value, self.at, (slot as usize * WORD) as i32);
         }
+        Ok(())
     }
 
-    fn op(&mut self, op: Op) -> Word {
-        match op {
+    /// The word of an operation. Those that [`legalise`](crate::ops::legalise) replaces have none here.
+    fn op(&mut self, op: Op) -> Result<Word, &'static str> {
+        Ok(match op {
             Op::Load(source) => self.load(source),
             // Made in the form, or forms, asked for.
-            Op::Constant(_) => Word::default(),
+            Op::Constant(bits) => Word { constant: Some(bits), ..Word::default() },
+            Op::Add(a, b) => self.reals([a, b], |ins, [a, b]| ins.fadd(a, b)),
+            Op::Sub(a, b) => self.reals([a, b], |ins, [a, b]| ins.fsub(a, b)),
+            Op::Mul(a, b) => self.reals([a, b], |ins, [a, b]| ins.fmul(a, b)),
+            Op::Div(a, b) => self.reals([a, b], |ins, [a, b]| ins.fdiv(a, b)),
+            Op::MulAdd(a, b, c) => self.reals([a, b, c], |ins, [a, b, c]| ins.fma(a, b, c)),
+            Op::Minimum(a, b) => self.pick([a, b], [a, b]),
+            Op::Maximum(a, b) => self.pick([b, a], [a, b]),
+            Op::Neg(a) => self.reals([a], |ins, [a]| ins.fneg(a)),
+            Op::Absolute(a) => self.reals([a], |ins, [a]| ins.fabs(a)),
+            Op::Sqrt(a) => self.reals([a], |ins, [a]| ins.sqrt(a)),
+            Op::Floor(a) => self.reals([a], |ins, [a]| ins.floor(a)),
+            Op::Ceil(a) => self.reals([a], |ins, [a]| ins.ceil(a)),
+            Op::Truncate(a) => self.reals([a], |ins, [a]| ins.trunc(a)),
+            Op::RoundEven(a) => self.reals([a], |ins, [a]| ins.nearest(a)),
+            Op::ToReal(a) => {
+                let a = self.bits(a);
+                Word::of_real(self.builder.ins().fcvt_from_sint(F32X4, a))
+            }
+            Op::ToInt(a) => {
+                let a = self.real(a);
+                Word::of_bits(self.builder.ins().fcvt_to_sint_sat(I32X4, a))
+            }
+            Op::IntAdd(a, b) => self.ints([a, b], |ins, [a, b]| ins.iadd(a, b)),
+            Op::IntSub(a, b) => self.ints([a, b], |ins, [a, b]| ins.isub(a, b)),
+            Op::IntMul(a, b) => self.ints([a, b], |ins, [a, b]| ins.imul(a, b)),
+            Op::And(a, b) => self.ints([a, b], |ins, [a, b]| ins.band(a, b)),
+            Op::Or(a, b) => self.ints([a, b], |ins, [a, b]| ins.bor(a, b)),
+            Op::Xor(a, b) => self.ints([a, b], |ins, [a, b]| ins.bxor(a, b)),
+            Op::Not(a) => self.ints([a], |ins, [a]| ins.bnot(a)),
+            Op::ShiftLeft(a, by) => self.shift(a, by, |ins, a, by| ins.ishl(a, by)),
+            Op::ShiftRight(a, by) => self.shift(a, by, |ins, a, by| ins.ushr(a, by)),
+            Op::ShiftRightSigned(a, by) => self.shift(a, by, |ins, a, by| ins.sshr(a, by)),
             Op::Less(a, b) => self.compare(FloatCC::LessThan, a, b),
             Op::LessEqual(a, b) => self.compare(FloatCC::LessThanOrEqual, a, b),
             Op::Equal(a, b) => self.compare(FloatCC::Equal, a, b),
@@ -131,101 +183,67 @@ impl Lowering<'_, '_> {
             Op::IntEqual(a, b) => self.compare_bits(IntCC::Equal, a, b),
             Op::IntLess(a, b) => self.compare_bits(IntCC::SignedLessThan, a, b),
             Op::Select(mask, a, b) => self.select(mask, a, b),
-            Op::ToInt(..)
-            | Op::IntAdd(..)
-            | Op::IntSub(..)
-            | Op::IntMul(..)
-            | Op::And(..)
-            | Op::Or(..)
-            | Op::Xor(..)
-            | Op::Not(..)
-            | Op::ShiftLeft(..)
-            | Op::ShiftRight(..)
-            | Op::ShiftRightSigned(..) => Word { bits: Some(self.int_op(op)), ..Word::default() },
-            _ => Word { real: Some(self.real_op(op)), ..Word::default() },
-        }
+            Op::Number(_) | Op::Integer(_) | Op::Truth(_) => return Err("a constant has a type"),
+            Op::Sin(_)
+            | Op::Cos(_)
+            | Op::Tan(_)
+            | Op::Asin(_)
+            | Op::Acos(_)
+            | Op::Atan(_)
+            | Op::Atan2(..)
+            | Op::Exp(_)
+            | Op::Exp2(_)
+            | Op::Expm1(_)
+            | Op::Sinh(_)
+            | Op::Cosh(_)
+            | Op::Tanh(_)
+            | Op::Ln(_)
+            | Op::Log2(_)
+            | Op::Log1p(_)
+            | Op::Pow(..) => {
+                return Err("a function is not expanded");
+            }
+        })
     }
 
-    /// Operations that yield a number.
-    fn real_op(&mut self, op: Op) -> Value {
-        if let Op::ToReal(a) = op {
-            let a = self.bits(a);
-            return self.builder.ins().fcvt_from_sint(F32X4, a);
-        }
-        let mut operands = [None; 3];
-        let mut count = 0;
-        op.for_each_operand(|id| {
-            operands[count] = Some(id);
-            count += 1;
-        });
-        let [a, b, c] = operands.map(|id| id.map(|id| self.real(id)));
-        let ins = self.builder.ins();
-        match (op, a, b, c) {
-            (Op::Add(..), Some(a), Some(b), _) => ins.fadd(a, b),
-            (Op::Sub(..), Some(a), Some(b), _) => ins.fsub(a, b),
-            (Op::Mul(..), Some(a), Some(b), _) => ins.fmul(a, b),
-            (Op::Div(..), Some(a), Some(b), _) => ins.fdiv(a, b),
-            (Op::MulAdd(..), Some(a), Some(b), Some(c)) => ins.fma(a, b, c),
-            (Op::Minimum(..), Some(a), Some(b), _) => self.pick(a, b, a, b),
-            (Op::Maximum(..), Some(a), Some(b), _) => self.pick(b, a, a, b),
-            (Op::Neg(..), Some(a), ..) => ins.fneg(a),
-            (Op::Absolute(..), Some(a), ..) => ins.fabs(a),
-            (Op::Sqrt(..), Some(a), ..) => ins.sqrt(a),
-            (Op::Floor(..), Some(a), ..) => ins.floor(a),
-            (Op::Ceil(..), Some(a), ..) => ins.ceil(a),
-            (Op::Truncate(..), Some(a), ..) => ins.trunc(a),
-            (Op::RoundEven(..), Some(a), ..) => ins.nearest(a),
-            _ => unreachable!("{op} does not yield a number"),
-        }
+    /// From numbers a number.
+    fn reals<const N: usize>(
+        &mut self,
+        operands: [OpId; N],
+        make: impl FnOnce(FuncInstBuilder<'_, '_>, [Value; N]) -> Value,
+    ) -> Word {
+        let operands = operands.map(|id| self.real(id));
+        Word::of_real(make(self.builder.ins(), operands))
     }
 
-    /// Operations that yield an integer, or a truth value from truth values.
-    fn int_op(&mut self, op: Op) -> Value {
-        match op {
-            Op::ToInt(a) => {
-                let a = self.real(a);
-                self.builder.ins().fcvt_to_sint_sat(I32X4, a)
-            }
-            Op::Not(a) => {
-                let a = self.bits(a);
-                self.builder.ins().bnot(a)
-            }
-            Op::ShiftLeft(a, bits) | Op::ShiftRight(a, bits) | Op::ShiftRightSigned(a, bits) => {
-                let a = self.bits(a);
-                let bits = self.builder.ins().iconst(I32, i64::from(bits & 31));
-                let ins = self.builder.ins();
-                match op {
-                    Op::ShiftLeft(..) => ins.ishl(a, bits),
-                    Op::ShiftRight(..) => ins.ushr(a, bits),
-                    _ => ins.sshr(a, bits),
-                }
-            }
-            Op::IntAdd(a, b)
-            | Op::IntSub(a, b)
-            | Op::IntMul(a, b)
-            | Op::And(a, b)
-            | Op::Or(a, b)
-            | Op::Xor(a, b) => {
-                let (a, b) = (self.bits(a), self.bits(b));
-                let ins = self.builder.ins();
-                match op {
-                    Op::IntAdd(..) => ins.iadd(a, b),
-                    Op::IntSub(..) => ins.isub(a, b),
-                    Op::IntMul(..) => ins.imul(a, b),
-                    Op::And(..) => ins.band(a, b),
-                    Op::Or(..) => ins.bor(a, b),
-                    _ => ins.bxor(a, b),
-                }
-            }
-            _ => unreachable!("{op} does not yield an integer"),
-        }
+    /// From integers an integer, or from truth values one.
+    fn ints<const N: usize>(
+        &mut self,
+        operands: [OpId; N],
+        make: impl FnOnce(FuncInstBuilder<'_, '_>, [Value; N]) -> Value,
+    ) -> Word {
+        let operands = operands.map(|id| self.bits(id));
+        Word::of_bits(make(self.builder.ins(), operands))
     }
 
-    /// `if less < than { if_true } else { if_false }`, of numbers.
-    fn pick(&mut self, less: Value, than: Value, if_true: Value, if_false: Value) -> Value {
+    fn shift(
+        &mut self,
+        a: OpId,
+        by: u32,
+        make: impl FnOnce(FuncInstBuilder<'_, '_>, Value, Value) -> Value,
+    ) -> Word {
+        let a = self.bits(a);
+        let by = self.builder.ins().iconst(I32, i64::from(by & 31));
+        Word::of_bits(make(self.builder.ins(), a, by))
+    }
+
+    /// `if less < than { a } else { b }`, of numbers.
+    fn pick(&mut self, [less, than]: [OpId; 2], [a, b]: [OpId; 2]) -> Word {
+        let (a, b) = (self.real(a), self.real(b));
+        let (less, than) = (self.real(less), self.real(than));
         let mask = self.builder.ins().fcmp(FloatCC::LessThan, less, than);
         let mask = self.cast(F32X4, mask);
-        self.builder.ins().bitselect(mask, if_true, if_false)
+        Word::of_real(self.builder.ins().bitselect(mask, a, b))
     }
 
     fn compare(&mut self, condition: FloatCC, a: OpId, b: OpId) -> Word {
@@ -245,18 +263,16 @@ impl Lowering<'_, '_> {
             Comparison::Real => {
                 let mask = self.real(mask);
                 let (a, b) = (self.real(a), self.real(b));
-                let real = Some(self.builder.ins().bitselect(mask, a, b));
-                Word { real, ..Word::default() }
+                Word::of_real(self.builder.ins().bitselect(mask, a, b))
             }
             comparison => {
                 let mask = self.bits(mask);
                 let (a, b) = (self.bits(a), self.bits(b));
                 let ins = self.builder.ins();
-                let bits = Some(match comparison {
+                Word::of_bits(match comparison {
                     Comparison::Int => ins.bitselect(mask, a, b),
-                    _ => ins.blendv(mask, a, b),
-                });
-                Word { bits, ..Word::default() }
+                    Comparison::Real | Comparison::None => ins.blendv(mask, a, b),
+                })
             }
         }
     }
@@ -273,16 +289,15 @@ impl Lowering<'_, '_> {
             flags = flags.with_readonly().with_can_move();
         }
         let offset = (word as usize * WORD) as i32;
-        let real = Some(self.builder.ins().load(F32X4, flags, base, offset));
-        Word { real, ..Word::default() }
+        Word::of_real(self.builder.ins().load(F32X4, flags, base, offset))
     }
 
     /// The word as numbers.
     fn real(&mut self, id: OpId) -> Value {
         let word = self.words[id as usize];
-        let value = word.real.unwrap_or_else(|| match word.bits {
-            Some(bits) => self.cast(F32X4, bits),
-            None => self.constant(F32X4, id),
+        let value = word.real.unwrap_or_else(|| match (word.constant, word.bits) {
+            (None, Some(bits)) => self.cast(F32X4, bits),
+            (constant, _) => self.constant(F32X4, constant.unwrap_or_default()),
         });
         self.words[id as usize].real = Some(value);
         value
@@ -291,9 +306,9 @@ impl Lowering<'_, '_> {
     /// The word as integers.
     fn bits(&mut self, id: OpId) -> Value {
         let word = self.words[id as usize];
-        let value = word.bits.unwrap_or_else(|| match (word.real, self.segment.ops[id as usize]) {
-            (_, Op::Constant(_)) | (None, _) => self.constant(I32X4, id),
-            (Some(real), _) => self.cast(I32X4, real),
+        let value = word.bits.unwrap_or_else(|| match (word.constant, word.real) {
+            (None, Some(real)) => self.cast(I32X4, real),
+            (constant, _) => self.constant(I32X4, constant.unwrap_or_default()),
         });
         self.words[id as usize].bits = Some(value);
         value
@@ -303,10 +318,7 @@ impl Lowering<'_, '_> {
         self.builder.ins().bitcast(to, MemFlagsData::new(), value)
     }
 
-    fn constant(&mut self, to: Type, id: OpId) -> Value {
-        let Op::Constant(bits) = self.segment.ops[id as usize] else {
-            unreachable!("only constants are made late");
-        };
+    fn constant(&mut self, to: Type, bits: u32) -> Value {
         let data = ConstantData::from(&[bits.to_le_bytes(); 4].concat()[..]);
         let constant = self.builder.func.dfg.constants.insert(data);
         self.builder.ins().vconst(to, constant)
@@ -333,7 +345,8 @@ mod tests {
         let mut context = Context::new();
         let shape = FileShape { uniforms: 0, slots: 4 };
         let config = isa.frontend_config();
-        lower(&segment, shape, config, &mut context.func, &mut FunctionBuilderContext::new());
+        lower(&segment, shape, config, &mut context.func, &mut FunctionBuilderContext::new())
+            .expect("is legal");
         context.set_disasm(true);
         let code = context.compile(&*isa, &mut ControlPlane::default()).expect("compiles");
         code.vcode.clone().expect("was asked for")

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::engine::options::Simd;
 
-use crate::ops::{Op, OpId, OpSegment, Tape, dead, fold, split};
+use crate::ops::{Op, OpId, OpSegment, Tape, dead, fold, legalise, split};
 use crate::schedule::{Item, Schedule, Segment, Step};
 use crate::storage::{FileShape, Lanes, Source, stride};
 
@@ -70,7 +70,7 @@ impl Plan {
                     Stretch::Heavy(step) => pieces.push(Piece::Kernel(step)),
                     Stretch::Light { from, to } => {
                         let ops = record(&segment.steps[from..to], number, &readers);
-                        let ops = dead::remove(&fold::fold(&ops));
+                        let ops = dead::remove(&fold::fold(&legalise::legalise(&ops)));
                         let split = split::split(&ops, split::COMFORTABLE, schedule.slots);
                         scratch = scratch.max(split.scratch);
                         for part in split.parts {
@@ -137,9 +137,9 @@ fn stretches(segment: &Segment, heavy: usize) -> Vec<Stretch> {
     stretches
 }
 
-/// Number of operations of a step's body, loads and constants aside.
+/// Number of operations of a step's body, its functions expanded, loads and constants aside.
 fn record_alone(step: &Step) -> usize {
-    let tape = Tape::new();
+    let tape = Tape::standard();
     let inputs: Vec<OpId> =
         (0..step.words.len()).map(|word| tape.push(Op::Load(word as u32))).collect();
     let mut outputs = vec![0; step.code.outputs];
