@@ -52,6 +52,6 @@ fn run_step(step: &Step, simd: Simd, shape: FileShape, lanes: &mut [Lanes], bloc
     let placement = Placement { shape, blocks, sources: &step.words, output: step.output };
     match simd {
         Simd::Native => (step.code.wide)(lanes, &placement),
-        Simd::Portable => (step.code.wide_portable)(lanes, &placement),
+        Simd::Portable => step.code.wide_portable(lanes, &placement),
     }
 }

@@ -182,7 +182,7 @@ impl Walk<'_> {
         inputs.extend(sources.iter().map(|source| self.word(*source)));
         match self.simd {
             Simd::Native => (code.scalar)(&inputs, outputs),
-            Simd::Portable => (code.scalar_portable)(&inputs, outputs),
+            Simd::Portable => code.scalar_portable(&inputs, outputs),
         }
         self.memory.inputs = inputs;
     }

@@ -1,27 +1,22 @@
-//! A node's body compiled for every back end, with its type erased.
+//! A node's body in every form, with its type erased.
 
-use crate::emit::interval::{Intervals, Word};
-use crate::emit::scalar::Scalar;
+use super::recorded::{Recorded, Recorder, recorder};
+use super::{block, point, sets};
+use crate::emit::interval::Word;
 use crate::emit::{Body, MAX_OUTPUTS};
 use crate::ops::{OpId, Tape};
 use crate::storage::{Lanes, Placement};
 
-/// One body in every back end. The `native` forms need the CPU features of
-/// [`Simd::Native`](crate::engine::Simd::Native); all forms give the same bits.
+/// One body in every form. Two are native code and need the CPU features of
+/// [`Simd::Native`](crate::engine::Simd::Native) to be that; the others evaluate the operations it records.
+/// All give the same bits.
 #[derive(Clone, Copy)]
 pub struct BodyForms {
     /// One point.
     pub scalar: fn(inputs: &[u32], outputs: &mut [u32]),
     /// Blocks of eight points.
     pub wide: fn(lanes: &mut [Lanes], placement: &Placement<'_>),
-    /// The portable forms of the two above.
-    pub scalar_portable: fn(inputs: &[u32], outputs: &mut [u32]),
-    /// See `scalar_portable`.
-    pub wide_portable: fn(lanes: &mut [Lanes], placement: &Placement<'_>),
-    /// Appends its operations to a tape.
-    pub record: fn(tape: &Tape, inputs: &[OpId], outputs: &mut [OpId]),
-    /// From sets of inputs to a set that holds every output; see [`crate::emit::interval`].
-    pub intervals: fn(inputs: &[Word], outputs: &mut [Word]),
+    recorder: Recorder,
     /// Words written.
     pub outputs: usize,
 }
@@ -33,29 +28,44 @@ impl std::fmt::Debug for BodyForms {
 }
 
 impl BodyForms {
-    /// Compiles `B` for every back end.
+    /// The forms of `B`.
     pub const fn of<B: Body>() -> Self {
         const { assert!(B::OUTPUTS <= MAX_OUTPUTS, "a body writes too many words") };
         Self {
             scalar: super::entries::scalar::<B>,
             wide: super::entries::wide::<B>,
-            scalar_portable: scalar_portable::<B>,
-            wide_portable: super::entries::wide_portable::<B>,
-            record: record::<B>,
-            intervals: intervals::<B>,
+            recorder: recorder::<B>,
             outputs: B::OUTPUTS,
         }
     }
-}
 
-fn scalar_portable<B: Body>(inputs: &[u32], mut outputs: &mut [u32]) {
-    B::run(Scalar, &inputs, &mut outputs);
-}
+    /// Its operations.
+    pub fn recorded(&self) -> &'static Recorded {
+        Recorded::of(self.recorder, self.outputs)
+    }
 
-fn record<B: Body>(tape: &Tape, inputs: &[OpId], mut outputs: &mut [OpId]) {
-    B::run(tape, &(tape, inputs), &mut outputs);
-}
+    /// Appends its operations to a tape.
+    pub fn record(&self, tape: &Tape, inputs: &[OpId], outputs: &mut [OpId]) {
+        self.recorded().replay(tape, inputs, outputs);
+    }
 
-fn intervals<B: Body>(inputs: &[Word], mut outputs: &mut [Word]) {
-    B::run(Intervals, &inputs, &mut outputs);
+    /// One point, on any CPU.
+    pub fn scalar_portable(&self, inputs: &[u32], outputs: &mut [u32]) {
+        point::run(self.recorded(), inputs, outputs);
+    }
+
+    /// Blocks of eight points, on any CPU.
+    pub fn wide_portable(&self, lanes: &mut [Lanes], placement: &Placement<'_>) {
+        block::run(self.recorded(), lanes, placement);
+    }
+
+    /// From sets of inputs to sets that hold every output; see [`crate::emit::interval`].
+    pub fn intervals(&self, inputs: &[Word], outputs: &mut [Word]) {
+        sets::run(self.recorded(), inputs, outputs);
+    }
+
+    /// Runs the body itself over a tape, as [`BodyForms::record`] repeats it: what tests hold that to.
+    pub fn record_anew(&self, tape: &Tape, inputs: &[OpId], outputs: &mut [OpId]) {
+        (self.recorder)(&crate::ops::TapeInputs::given(tape, inputs), outputs);
+    }
 }

@@ -1,7 +1,17 @@
-//! Bodies compiled by rustc, their type erased: what the node list holds and the engines call.
+//! The forms of bodies, their type erased: what the node list holds and the engines call.
+//!
+//! Native code is compiled for two of them, one point and eight lanes ([`BodyForms::scalar`] and
+//! [`BodyForms::wide`]). All else evaluates what the body recorded once: portable forms for any CPU, sets
+//! of values for the checker, tapes for the jit.
 
+mod block;
+mod eight;
 mod entries;
 mod forms;
+mod point;
+mod recorded;
+mod sets;
 
-pub use entries::{native_simd, scalar, wide, wide_portable};
+pub use entries::native_simd;
 pub use forms::BodyForms;
+pub use recorded::Recorded;

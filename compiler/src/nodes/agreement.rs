@@ -104,9 +104,11 @@ impl Trial {
     /// The outputs of every point by the scalar form, after the other forms agreed.
     fn run(&self, code: &BodyForms) -> Vec<Vec<u32>> {
         let scalar = self.points_by(code.scalar, code.outputs);
-        let portable = self.points_by(code.scalar_portable, code.outputs);
+        let portable =
+            self.points_by(|point, outputs| code.scalar_portable(point, outputs), code.outputs);
         let wide = self.blocks_by(code.wide, code.outputs);
-        let wide_portable = self.blocks_by(code.wide_portable, code.outputs);
+        let wide_portable =
+            self.blocks_by(|lanes, placement| code.wide_portable(lanes, placement), code.outputs);
         let recorded = self.recorded(code);
         for (at, expected) in scalar.iter().enumerate() {
             for (form, outputs) in [
@@ -127,7 +129,7 @@ impl Trial {
         scalar
     }
 
-    fn points_by(&self, form: fn(&[u32], &mut [u32]), outputs: usize) -> Vec<Vec<u32>> {
+    fn points_by(&self, form: impl Fn(&[u32], &mut [u32]), outputs: usize) -> Vec<Vec<u32>> {
         let mut all = vec![vec![0; outputs]; POINTS];
         for (point, outputs) in self.points.iter().zip(&mut all) {
             form(point, outputs);
@@ -135,7 +137,11 @@ impl Trial {
         all
     }
 
-    fn blocks_by(&self, form: fn(&mut [Lanes], &Placement<'_>), outputs: usize) -> Vec<Vec<u32>> {
+    fn blocks_by(
+        &self,
+        form: impl Fn(&mut [Lanes], &Placement<'_>),
+        outputs: usize,
+    ) -> Vec<Vec<u32>> {
         let inputs = self.points[0].len();
         let slots = inputs + outputs;
         let blocks = POINTS / LANES;
@@ -165,7 +171,7 @@ impl Trial {
         let loads: Vec<_> =
             (0..self.points[0].len() as u32).map(|n| tape.push(Op::Load(n))).collect();
         let mut results = vec![0; code.outputs];
-        (code.record)(&tape, &loads, &mut results);
+        code.record(&tape, &loads, &mut results);
         let ops = tape.into_ops();
         (self.points.iter())
             .map(|point| {

@@ -76,7 +76,7 @@ pub fn numbers(definition: &Definition, given: &[(&str, Literal)], output: &str)
     let mut outputs = vec![0; code.outputs];
     (code.scalar)(&inputs, &mut outputs);
     let mut portable = vec![0; code.outputs];
-    (code.scalar_portable)(&inputs, &mut portable);
+    code.scalar_portable(&inputs, &mut portable);
     assert_eq!(outputs, portable, "native and portable forms differ");
     let at = signature.output(output).expect("the node has this output");
     let width = |at: usize| settled(signature.outputs[at].value_type, overload).width();

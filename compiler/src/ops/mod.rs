@@ -18,4 +18,4 @@ pub mod split;
 mod tape;
 
 pub use op::{Class, Number, Op, OpId, OpSegment};
-pub use tape::{Tape, TapeInt, TapeMask, TapeReal};
+pub use tape::{Tape, TapeInputs, TapeInt, TapeMask, TapeReal};

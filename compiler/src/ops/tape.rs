@@ -260,15 +260,46 @@ impl<'t> Bits for TapeReal<'t> {
 
 impl Mask for TapeMask<'_> {}
 
-impl<'t> Words<&'t Tape> for (&'t Tape, &[OpId]) {
+/// The input words of a body that is recorded.
+#[derive(Clone, Copy, Debug)]
+pub struct TapeInputs<'t> {
+    tape: &'t Tape,
+    given: Option<&'t [OpId]>,
+}
+
+impl<'t> TapeInputs<'t> {
+    /// Those recorded already.
+    pub fn given(tape: &'t Tape, ids: &'t [OpId]) -> Self {
+        Self { tape, given: Some(ids) }
+    }
+
+    /// Input word `n` as `Load(n)`, recorded when it is first read.
+    pub fn loads(tape: &'t Tape) -> Self {
+        Self { tape, given: None }
+    }
+
+    /// The tape.
+    pub fn tape(&self) -> &'t Tape {
+        self.tape
+    }
+
+    fn word<T: OnTape<'t>>(&self, index: usize) -> T {
+        self.tape.at(match self.given {
+            Some(ids) => ids[index],
+            None => self.tape.push(Op::Load(index as u32)),
+        })
+    }
+}
+
+impl<'t> Words<&'t Tape> for TapeInputs<'t> {
     fn real(&self, index: usize) -> TapeReal<'t> {
-        TapeReal(self.0, self.1[index])
+        self.word(index)
     }
     fn int(&self, index: usize) -> TapeInt<'t> {
-        TapeInt(self.0, self.1[index])
+        self.word(index)
     }
     fn mask(&self, index: usize) -> TapeMask<'t> {
-        TapeMask(self.0, self.1[index])
+        self.word(index)
     }
 }
 

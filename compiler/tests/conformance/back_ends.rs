@@ -42,10 +42,14 @@ pub fn all() -> impl Iterator<Item = &'static (&'static str, Run)> {
 }
 
 const ALWAYS: &[(&str, Run)] = &[
-    ("scalar", |case, inputs| point_by_point(case.code.scalar, case, inputs)),
-    ("scalar, portable", |case, inputs| point_by_point(case.code.scalar_portable, case, inputs)),
-    ("wide", |case, inputs| blocks(case.code.wide, case, inputs)),
-    ("wide, portable", |case, inputs| blocks(case.code.wide_portable, case, inputs)),
+    ("scalar", |case, inputs| point_by_point(&case.code.scalar, case, inputs)),
+    ("scalar, portable", |case, inputs| {
+        point_by_point(&|point, outputs| case.code.scalar_portable(point, outputs), case, inputs)
+    }),
+    ("wide", |case, inputs| blocks(&case.code.wide, case, inputs)),
+    ("wide, portable", |case, inputs| {
+        blocks(&|lanes, placement| case.code.wide_portable(lanes, placement), case, inputs)
+    }),
 ];
 
 const MACHINE_CODE: &[(&str, Run)] = &[
@@ -59,7 +63,7 @@ const MACHINE_CODE: &[(&str, Run)] = &[
     }),
 ];
 
-fn point_by_point(run: fn(&[u32], &mut [u32]), case: &Case, inputs: &Rows) -> Rows {
+fn point_by_point(run: &dyn Fn(&[u32], &mut [u32]), case: &Case, inputs: &Rows) -> Rows {
     let mut rows = Rows::new(case.outputs.len());
     let mut outputs = vec![0; case.outputs.len()];
     for row in 0..inputs.count() {
@@ -88,12 +92,10 @@ fn compiled(case: &Case, inputs: &Rows, prepare: impl Fn(OpSegment) -> Vec<OpSeg
     placed(run, case, inputs, &sources, slots, first)
 }
 
-type Wide = fn(&mut [Lanes], &Placement<'_>);
-
 /// Uniform words no case reads, so that slots do not start at 0.
 const UNIFORMS: usize = 3;
 
-fn blocks(run: Wide, case: &Case, inputs: &Rows) -> Rows {
+fn blocks(run: &dyn Fn(&mut [Lanes], &Placement<'_>), case: &Case, inputs: &Rows) -> Rows {
     let sources: Vec<Source> = (0..inputs.width as u32).map(Source::Slot).collect();
     let output = inputs.width as u32;
     placed(run, case, inputs, &sources, inputs.width + case.outputs.len(), output)

@@ -14,7 +14,7 @@ pub fn tape(case: &Case) -> (Vec<Op>, Vec<u32>) {
 pub fn tape_of(case: &Case, tape: Tape) -> (Vec<Op>, Vec<u32>) {
     let inputs: Vec<u32> = (0..case.inputs.len() as u32).map(|i| tape.push(Op::Load(i))).collect();
     let mut outputs = vec![0; case.outputs.len()];
-    (case.code.record)(&tape, &inputs, &mut outputs);
+    case.code.record_anew(&tape, &inputs, &mut outputs);
     (tape.into_ops(), outputs)
 }
 

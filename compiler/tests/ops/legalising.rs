@@ -7,7 +7,15 @@ use phenomenon_compiler::ops::{Op, OpSegment, Tape, legalise};
 fn recorded(code: &BodyForms, inputs: u32, tape: Tape) -> OpSegment {
     let loads: Vec<u32> = (0..inputs).map(|n| tape.push(Op::Load(n))).collect();
     let mut outputs = vec![0; code.outputs];
-    (code.record)(&tape, &loads, &mut outputs);
+    code.record_anew(&tape, &loads, &mut outputs);
+    OpSegment { ops: tape.into_ops(), sources: vec![], stores: (0..).zip(outputs).collect() }
+}
+
+fn replayed(code: &BodyForms, inputs: u32) -> OpSegment {
+    let tape = Tape::standard();
+    let loads: Vec<u32> = (0..inputs).map(|n| tape.push(Op::Load(n))).collect();
+    let mut outputs = vec![0; code.outputs];
+    code.record(&tape, &loads, &mut outputs);
     OpSegment { ops: tape.into_ops(), sources: vec![], stores: (0..).zip(outputs).collect() }
 }
 
@@ -22,6 +30,7 @@ fn bodies_are_the_same_operations_expanded_at_once_and_afterwards() {
                 let plain = recorded(code, words, Tape::new());
                 let legal = recorded(code, words, Tape::standard());
                 assert_eq!(legalise::legalise(&plain), legal, "{}", definition.signature.name);
+                assert_eq!(replayed(code, words), legal, "{}", definition.signature.name);
                 assert_eq!(legalise::legalise(&legal), legal, "{}", definition.signature.name);
                 assert!(legal.ops.iter().all(|op| !op.is_function()), "{legal}");
                 bodies += 1;

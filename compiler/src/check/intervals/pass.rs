@@ -194,7 +194,7 @@ impl Pass<'_, '_> {
         let guarded = overload.guards.iter().enumerate();
         for (input, guard) in guarded.filter_map(|(at, guard)| Some((at, guard.as_ref()?))) {
             let mut holds = [Word::UNKNOWN];
-            (guard.intervals)(&arriving.sets, &mut holds);
+            guard.intervals(&arriving.sets, &mut holds);
             match holds[0] {
                 Word::Truth(truth) if truth.decided() == Some(false) => {
                     arriving.never[input] = true;
@@ -241,7 +241,7 @@ impl Pass<'_, '_> {
         match (&signature.kind, &overload.code) {
             (Kind::Plain, Some(code)) => {
                 let mut sets = vec![Word::UNKNOWN; code.outputs];
-                (code.intervals)(&arriving.sets, &mut sets);
+                code.intervals(&arriving.sets, &mut sets);
                 let reached = trials::reached(code, &arriving.words, &sets);
                 for (set, reached) in sets.into_iter().zip(reached) {
                     let sources = arriving.sources(set.reads());

@@ -146,7 +146,7 @@ mod tests {
         let words: Vec<Word> =
             (inputs.iter().enumerate()).map(|(at, input)| input.word.read_from(1 << at)).collect();
         let mut sets = vec![Word::UNKNOWN; code.outputs];
-        (code.intervals)(&words, &mut sets);
+        code.intervals(&words, &mut sets);
         reached(&code, &inputs, &sets)[0]
     }
 

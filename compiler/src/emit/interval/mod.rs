@@ -1,21 +1,20 @@
 //! Sets of values instead of values: what a body may yield for any inputs of a box.
 //!
 //! [`Intervals`] is a back end whose numbers are closed intervals of `f32`, whose integers are
-//! intervals of `i32` and whose truth is true, false or open. Node bodies run on it unchanged, so that
-//! what the checker proves about a node is proved about the code that runs.
+//! intervals of `i32` and whose truth is true, false or open. The operations a node's body records are
+//! evaluated on it, so that what the checker proves about a node is proved about the code that runs.
 //!
 //! It is sound: whatever [`scalar`](super::scalar) computes from inputs within the given sets lies
 //! in the sets that come out. Rounding to nearest is monotone, so that a bound computed in `f32` at the ends
-//! of the operands holds for all that is between, and nothing needs to be rounded outward.
+//! of the operands holds for all that is between, and nothing needs to be rounded outward; functions aside.
 //!
 //! Values carry an identity, a hash of how they came about. Two with the same identity are the same
 //! value, and `x - x`, `x * x`, `x == x` are then taken for what they are.
 
 mod arithmetic;
+mod functions;
 mod number;
 mod real;
-#[cfg(test)]
-mod tests;
 mod truth;
 mod whole;
 
@@ -23,7 +22,7 @@ pub use number::Interval;
 pub use truth::Truth;
 pub use whole::Whole;
 
-use super::{Emit, Sink, Words};
+use super::{Emit, Words};
 
 /// The back end of sets.
 #[derive(Clone, Copy, Debug)]
@@ -169,17 +168,5 @@ impl Words<Intervals> for &[Word] {
             Word::Truth(truth) => truth,
             other => Truth { reads: other.reads(), ..Truth::OPEN },
         }
-    }
-}
-
-impl Sink<Intervals> for &mut [Word] {
-    fn real(&mut self, index: usize, value: Interval) {
-        self[index] = Word::Number(value);
-    }
-    fn int(&mut self, index: usize, value: Whole) {
-        self[index] = Word::Integer(value);
-    }
-    fn mask(&mut self, index: usize, value: Truth) {
-        self[index] = Word::Truth(value);
     }
 }

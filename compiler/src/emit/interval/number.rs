@@ -1,7 +1,7 @@
 //! Intervals of numbers.
 
 use super::truth::same;
-use super::{Whole, derived, tag};
+use super::{derived, tag};
 
 /// The numbers from `low` to `high`, infinities included, and NaN where `nan` is set. Without any
 /// number, `low` is above `high`, and then NaN is what is left.
@@ -16,7 +16,7 @@ pub struct Interval {
     /// Whether it may be NaN.
     pub nan: bool,
     /// Whether it has no gaps where what it was made of has none: nothing was rounded to whole
-    /// numbers, chosen by an open condition or made from bits.
+    /// numbers, chosen by an open condition or made by a function.
     pub smooth: bool,
     /// See [`Word::reads`](super::Word::reads).
     pub reads: u64,
@@ -109,29 +109,6 @@ impl Interval {
             (true, true) => Self { nan: false, ..self },
             _ => Self::made(from, to, Made { nan: false, smooth, reads, identity }),
         }
-    }
-
-    /// The numbers with these bits.
-    pub(super) fn of_bits(bits: Whole) -> Self {
-        const INFINITE: i32 = 0x7f80_0000;
-        let number = |bits: i32| f32::from_bits(bits as u32);
-        if let Some(point) = bits.point() {
-            return Self::constant(number(point));
-        }
-        let identity = derived(const { tag("from bits") }, &[bits.identity]);
-        let (negative, sign) = (bits.high < 0, if bits.high < 0 { i32::MIN } else { 0 });
-        if bits.low < 0 && !negative {
-            return Self { reads: bits.reads, identity, ..Self::ANYTHING };
-        }
-        // Among numbers of one sign the order of magnitudes is that of the bits.
-        let (from, to) = (bits.low ^ sign, bits.high ^ sign);
-        let made = Made { nan: to > INFINITE, smooth: false, reads: bits.reads, identity };
-        if from > INFINITE {
-            return Self::nothing(bits.reads);
-        }
-        let (near, far) = (number(from ^ sign), number(to.min(INFINITE) ^ sign));
-        let (low, high) = if negative { (far, near) } else { (near, far) };
-        Self { low, high, ..Self::made(low, high, made) }
     }
 
     pub(super) fn is_one_with(self, other: Self) -> bool {

@@ -2,8 +2,8 @@
 
 use super::arithmetic::bounds;
 use super::number::Made;
-use super::{Interval, Truth, Whole, derived, tag};
-use crate::emit::{Bits, Real, Select, standard_functions};
+use super::{Interval, Truth, Whole, derived, functions, tag};
+use crate::emit::{Real, Select};
 
 impl Select<Truth> for Interval {
     fn select(mask: Truth, if_true: Self, if_false: Self) -> Self {
@@ -29,6 +29,14 @@ impl Select<Truth> for Interval {
 /// The smaller, -0 lying below 0.
 fn least(a: f32, b: f32) -> f32 {
     if a.total_cmp(&b).is_lt() { a } else { b }
+}
+
+macro_rules! by_rules {
+    ($($function:ident($($second:ident)?))+) => {$(
+        fn $function(self $(, $second: Self)?) -> Self {
+            functions::$function(self $(, $second)?)
+        }
+    )+};
 }
 
 impl Real for Interval {
@@ -143,27 +151,9 @@ impl Real for Interval {
             false => Whole { low, high, reads: self.reads, identity },
         }
     }
-    standard_functions!();
-}
-
-impl Bits for Interval {
-    fn to_bits(self) -> Whole {
-        let bits = |x: f32| x.to_bits() as i32;
-        let negative = |x: f32| x.is_sign_negative();
-        let (low, high) = match (self.nan, negative(self.low), negative(self.high)) {
-            (true, ..) => (i32::MIN, i32::MAX),
-            (_, false, false) => (bits(self.low), bits(self.high)),
-            (_, true, true) => (bits(self.high), bits(self.low)),
-            _ => (i32::MIN, bits(self.high)),
-        };
-        let identity = derived(const { tag("to bits") }, &[self.identity]);
-        match low == high {
-            true => Whole::constant(low),
-            false => Whole { low, high, reads: self.reads, identity },
-        }
-    }
-    fn from_bits(bits: Whole) -> Self {
-        Self::of_bits(bits)
+    by_rules! {
+        sin() cos() tan() asin() acos() atan() atan2(x) exp() exp2() expm1() sinh() cosh() tanh()
+        ln() log2() log1p() pow(exponent)
     }
 }
 

@@ -119,11 +119,8 @@ impl Plan {
 fn stretches(segment: &Segment, heavy: usize) -> Vec<Stretch> {
     let mut stretches = Vec::new();
     let mut from = 0;
-    let mut weights = HashMap::new();
     for (at, step) in segment.steps.iter().enumerate() {
-        let weight =
-            *weights.entry(step.code.record as usize).or_insert_with(|| record_alone(step));
-        if weight > heavy {
+        if step.code.recorded().weight() > heavy {
             if from < at {
                 stretches.push(Stretch::Light { from, to: at });
             }
@@ -135,17 +132,6 @@ fn stretches(segment: &Segment, heavy: usize) -> Vec<Stretch> {
         stretches.push(Stretch::Light { from, to: segment.steps.len() });
     }
     stretches
-}
-
-/// Number of operations of a step's body, its functions expanded, loads and constants aside.
-fn record_alone(step: &Step) -> usize {
-    let tape = Tape::standard();
-    let inputs: Vec<OpId> =
-        (0..step.words.len()).map(|word| tape.push(Op::Load(word as u32))).collect();
-    let mut outputs = vec![0; step.code.outputs];
-    (step.code.record)(&tape, &inputs, &mut outputs);
-    let ops = tape.into_ops();
-    ops.iter().filter(|op| !matches!(op, Op::Load(_) | Op::Constant(_))).count()
 }
 
 /// Records steps as one segment of operations that stores what others read.
@@ -169,7 +155,7 @@ fn record(steps: &[Step], number: usize, readers: &Readers) -> OpSegment {
             })
             .collect();
         let mut outputs = vec![0; step.code.outputs];
-        (step.code.record)(&tape, &inputs, &mut outputs);
+        step.code.record(&tape, &inputs, &mut outputs);
         for (slot, id) in (step.output..).zip(outputs) {
             known.insert(Source::Slot(slot), id);
             if readers.outside(slot, number) {

@@ -1,0 +1,67 @@
+//! What a body recorded, once, for all that evaluates operations instead of running it.
+
+use std::collections::HashMap;
+use std::sync::{OnceLock, PoisonError, RwLock};
+
+use crate::emit::Body;
+use crate::ops::legalise::replay;
+use crate::ops::{Op, OpId, Tape, TapeInputs};
+
+/// Runs a body over a tape.
+pub(super) type Recorder = fn(inputs: &TapeInputs<'_>, outputs: &mut [OpId]);
+
+/// The recorder of `B`.
+pub(super) fn recorder<B: Body>(inputs: &TapeInputs<'_>, mut outputs: &mut [OpId]) {
+    B::run(inputs.tape(), inputs, &mut outputs);
+}
+
+/// The operations of a body. `Load(n)` is its input word `n`.
+#[derive(Debug)]
+pub struct Recorded {
+    /// The operations, functions among them.
+    pub ops: Vec<Op>,
+    /// Which of them the outputs are.
+    pub outputs: Vec<OpId>,
+    weight: OnceLock<usize>,
+}
+
+impl Recorded {
+    /// What this recorder records, for that many output words. It is recorded when first asked for, and
+    /// kept as long as the program runs: there are as many as bodies.
+    pub(super) fn of(recorder: Recorder, outputs: usize) -> &'static Self {
+        static ALL: RwLock<Option<HashMap<(usize, usize), &'static Recorded>>> = RwLock::new(None);
+        let key = (recorder as usize, outputs);
+        let known = ALL.read().unwrap_or_else(PoisonError::into_inner);
+        if let Some(recorded) = known.as_ref().and_then(|all| all.get(&key)) {
+            return recorded;
+        }
+        drop(known);
+        let mut all = ALL.write().unwrap_or_else(PoisonError::into_inner);
+        let all = all.get_or_insert_default();
+        all.entry(key).or_insert_with(|| Box::leak(Box::new(Self::new(recorder, outputs))))
+    }
+
+    fn new(recorder: Recorder, outputs: usize) -> Self {
+        let tape = Tape::new();
+        let mut ids = vec![0; outputs];
+        recorder(&TapeInputs::loads(&tape), &mut ids);
+        Self { ops: tape.into_ops(), outputs: ids, weight: OnceLock::new() }
+    }
+
+    /// Records the operations on another tape, for these inputs there.
+    pub fn replay(&self, tape: &Tape, inputs: &[OpId], outputs: &mut [OpId]) {
+        let ids = replay(&self.ops, tape, |word| inputs[word as usize]);
+        for (output, &id) in outputs.iter_mut().zip(&self.outputs) {
+            *output = ids[id as usize];
+        }
+    }
+
+    /// Number of operations once functions are expanded, those that only fetch a word aside.
+    pub fn weight(&self) -> usize {
+        *self.weight.get_or_init(|| {
+            let tape = Tape::standard();
+            replay(&self.ops, &tape, |word| tape.push(Op::Load(word)));
+            tape.into_ops().iter().filter(|op| !op.is_fetch()).count()
+        })
+    }
+}
