@@ -11,6 +11,7 @@ mod severity;
 mod source;
 mod suggest;
 pub mod synonyms;
+mod tell_once;
 mod wording;
 
 pub use codes::{Code, Explanation};
@@ -23,5 +24,6 @@ pub use severity::Severity;
 pub use source::{Place, SourceFile};
 pub(crate) use suggest::advice;
 pub use suggest::{Suggestion, nearest};
+pub use tell_once::TellOnce;
 pub(crate) use wording::shown;
 pub use wording::{listed, listed_or, shortened};

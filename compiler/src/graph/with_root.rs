@@ -156,17 +156,9 @@ mod tests {
     use super::*;
     use crate::check::check_graph;
     use crate::document;
-    use crate::effects::{Answer, Ray, Renderer, Trace};
+    use crate::effects::NoScene;
     use crate::engine::{Engine, Options, Shade, Shaded, Shader};
     use crate::state::{Field, State};
-
-    struct Nothing;
-
-    impl Renderer for Nothing {
-        fn trace(&mut self, _: Trace, _: &[Ray], answers: &mut [Answer]) {
-            answers.fill(Answer::default());
-        }
-    }
 
     const GRAPH: &str = r#"{
         "phenomenon": "looked_at", "version": 1,
@@ -190,7 +182,7 @@ mod tests {
         let options = Options { engine, ..Options::default() };
         let shader = Shader::new(Arc::new(graph), Arc::clone(library), &[], options).unwrap();
         let mut results = [Shaded::default()];
-        shader.shade(RootKind::Material, &[State::default()], &mut Nothing, &mut results);
+        shader.shade(RootKind::Material, &[State::default()], &mut NoScene, &mut results);
         results[0].color.map(f32::to_bits)
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::NodeLibrary;
 use crate::check::check_graph;
 use crate::document;
-use crate::effects::{Answer, Ray, Renderer, Trace};
+use crate::effects::NoScene;
 use crate::engine::{Engine, Options, Shade, Shaded, Shader};
 use crate::graph::RootKind;
 use crate::state::State;
@@ -35,13 +35,6 @@ fn the_page_shows_the_source_that_is_compiled() {
     assert!(!PAGE.contains("\n## 6. "));
 }
 
-/// Nothing to ask.
-struct Nothing;
-
-impl Renderer for Nothing {
-    fn trace(&mut self, _: Trace, _: &[Ray], _: &mut [Answer]) {}
-}
-
 #[test]
 fn the_new_node_runs_in_every_engine() {
     let mut library = NodeLibrary::standard();
@@ -57,7 +50,7 @@ fn the_new_node_runs_in_every_engine() {
         let shader = Shader::new(graph.clone(), library.clone(), &values, options)
             .expect("the graph compiles");
         let mut results = [Shaded::default(); 9];
-        shader.shade(RootKind::Material, &[State::default(); 9], &mut Nothing, &mut results);
+        shader.shade(RootKind::Material, &[State::default(); 9], &mut NoScene, &mut results);
         let expected = Shaded { color: [-0.5, 0.25, 2.5, 1.0], ok: true };
         assert_eq!(results, [expected; 9], "{engine:?}");
     }
