@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use libfuzzer_sys::fuzzer_mutate;
 use phenomenon_compiler::document::{Document, Value, ValueKind, read};
-use phenomenon_compiler::schema::file_schema;
+use phenomenon_runtime::scene_file::file_schema;
 use serde_json::Value as Json;
 
 use super::checker::LIBRARY;

@@ -4,10 +4,12 @@
 use std::path::Path;
 
 use phenomenon_compiler::diagnostics::Code;
-use phenomenon_compiler::schema::{Given, Key, Kind, SCENE, Section};
+use phenomenon_compiler::schema::{Given, Key, Kind, Section};
 use phenomenon_runtime::film::{self, Film};
 use phenomenon_runtime::lights::Environment;
-use phenomenon_runtime::scene_file::{EnvironmentDescription, MaterialRef, SceneFile, read_scene};
+use phenomenon_runtime::scene_file::{
+    EnvironmentDescription, MaterialRef, SCENE, SceneFile, read_scene,
+};
 use serde_json::{Value, json};
 
 /// A scene in which a section stands, and where.

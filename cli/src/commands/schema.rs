@@ -1,7 +1,7 @@
 //! `phenomenon schema`: the JSON Schema of graph and scene files.
 
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_compiler::schema::file_schema;
+use phenomenon_runtime::scene_file::file_schema;
 
 use crate::failure::{Failure, Outcome};
 use crate::terminal;

@@ -2,15 +2,15 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{described, object, reference};
+use super::parts::{described, object, reference};
 use crate::check::MAX_SHADERS;
 use crate::document::FORMAT;
 use crate::graph::RootKind;
 use crate::nodes::{DefaultValue, Input, NodeLibrary, Signature};
 use crate::values::{Space, Type};
 
-/// Adds the definition `graph` and what it needs.
-pub(super) fn define(library: &NodeLibrary, definitions: &mut Map<String, Value>) {
+/// Adds the definition `graph` of graph files, and what it needs.
+pub fn define_graph(library: &NodeLibrary, definitions: &mut Map<String, Value>) {
     definitions.insert("graph".into(), graph());
     definitions
         .insert("name".into(), json!({ "type": "string", "pattern": NAME, "maxLength": 256 }));

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use phenomenon_compiler::check::Setting;
 use phenomenon_compiler::diagnostics::Place;
 use phenomenon_compiler::engine::Shade;
-use phenomenon_compiler::graph::RootKind;
+use phenomenon_compiler::graph::{Graph, RootKind};
 
 use crate::camera::Camera;
 use crate::geometry::{Mesh, ShadowTerminator, Transform};
@@ -172,6 +172,21 @@ impl SceneDescription {
         match &self.environment {
             Some(EnvironmentDescription::Shader(material)) => Some(material),
             _ => None,
+        }
+    }
+
+    /// Shows a graph where the scene shows the one that is looked at. One with an environment root
+    /// becomes the environment; one without a material leaves the place of its object empty.
+    pub fn show(&mut self, graph: &Graph) {
+        let is_subject = |material: &MaterialRef| material.source == MaterialSource::Subject;
+        let subject = self.materials().find(|material| is_subject(material)).cloned();
+        if let Some(subject) = subject
+            && graph.root(RootKind::Environment).is_some()
+        {
+            self.environment = Some(EnvironmentDescription::Shader(subject));
+        }
+        if graph.root(RootKind::Material).is_none() {
+            self.objects.retain(|object| !is_subject(&object.material));
         }
     }
 

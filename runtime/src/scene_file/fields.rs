@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use phenomenon_compiler::check::Setting;
 use phenomenon_compiler::document::{Object, Reader, Value};
-use phenomenon_compiler::schema::{COORDINATES, Section};
+use phenomenon_compiler::schema::Section;
 
 use super::description::{MaterialRef, MaterialSource};
+use super::keys::COORDINATES;
 
 /// A point, direction or the like.
 pub(super) fn vector<'d>(

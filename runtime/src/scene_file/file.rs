@@ -7,11 +7,11 @@ use phenomenon_compiler::document::numbers::{self, Whole};
 use phenomenon_compiler::document::{
     Document, Reader, Value, ValueKind, all_mistakes, read, read_file,
 };
-use phenomenon_compiler::schema::{OPTIONS, SCENE};
 
 use super::assets::Assets;
 use super::description::{GraphUse, SceneDescription, SceneOptions};
 use super::fields::section;
+use super::keys::{OPTIONS, SCENE};
 use super::{objects, surroundings};
 use crate::film::{PIXEL_LIMIT, SIDE_LIMIT};
 use crate::render::SAMPLE_LIMIT;

@@ -7,9 +7,11 @@ mod fields;
 mod file;
 mod fit;
 mod foreign;
+mod keys;
 mod mesh_file;
 mod meshes;
 mod objects;
+mod schema;
 mod surroundings;
 
 pub use assets::{Assets, Unusable};
@@ -22,3 +24,5 @@ pub use file::{
     LightNames, SceneFile, check_scene, check_scene_with, is_scene, read_scene, read_scene_file,
 };
 pub use fit::{missing_root, settings, unknown_lights};
+pub use keys::{COORDINATES, LENGTHS, LIGHT, SCENE};
+pub use schema::file_schema;

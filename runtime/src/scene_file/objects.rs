@@ -7,9 +7,6 @@ use std::sync::Arc;
 use phenomenon_compiler::diagnostics::{Code, Finding};
 use phenomenon_compiler::document::{Object, Reader, Value, ValueKind};
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::schema::{
-    COORDINATES, LENGTHS, MATERIAL, OBJECT, RECTANGLE, SPHERE, TRANSFORM,
-};
 
 use super::assets::Assets;
 use super::description::{
@@ -17,6 +14,7 @@ use super::description::{
 };
 use super::fields::{file_path, graph_file, section, settings, vector};
 use super::foreign;
+use super::keys::{COORDINATES, LENGTHS, MATERIAL, OBJECT, RECTANGLE, SPHERE, TRANSFORM};
 use super::meshes::Meshes;
 use crate::geometry::{Mesh, Normals, ShadowTerminator, Transform};
 

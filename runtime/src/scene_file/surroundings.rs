@@ -7,14 +7,14 @@ use std::sync::Arc;
 use phenomenon_compiler::diagnostics::{Code, Finding};
 use phenomenon_compiler::document::{Object, Reader, Value, ValueKind};
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::schema::{
-    CAMERA, COORDINATES, DIRECTIONAL, ENVIRONMENT, GRADIENT, LIGHT, LIGHT_SOURCE, POINT,
-};
 
 use super::assets::{Assets, Unusable};
 use super::description::{EnvironmentDescription, GraphUse};
 use super::fields::{file_path, graph_file, section, vector};
 use super::foreign;
+use super::keys::{
+    CAMERA, COORDINATES, DIRECTIONAL, ENVIRONMENT, GRADIENT, LIGHT, LIGHT_SOURCE, POINT,
+};
 use crate::camera::Camera;
 use crate::lights::{Environment, EnvironmentImage, Light, LightKind};
 

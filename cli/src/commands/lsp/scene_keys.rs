@@ -1,6 +1,7 @@
 //! What there is to say about the keys of scenes, from the table the reader knows them by.
 
-use phenomenon_compiler::schema::{Given, Key, Kind, SCENE, Section};
+use phenomenon_compiler::schema::{Given, Key, Kind, Section};
+use phenomenon_runtime::scene_file::SCENE;
 
 /// What stands at a path of keys, the indices of lists left out.
 #[derive(Debug)]

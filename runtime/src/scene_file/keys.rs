@@ -1,11 +1,10 @@
-//! The keys of scene files. The runtime reads scenes; a test of it holds the defaults and ranges given here against
-//! what it does.
+//! The keys of scene files: from them come the lists of keys the reader knows, the schema, the reference page and
+//! completion. A test holds the defaults and ranges given here against what the reader does.
 
 use std::ops::RangeInclusive;
 
-use crate::document::FORMAT;
-
-use super::key::{Given, Key, Kind, Section};
+use phenomenon_compiler::document::FORMAT;
+use phenomenon_compiler::schema::{Given, Key, Kind, Section};
 
 /// What coordinates and factors of scale may be.
 pub const COORDINATES: RangeInclusive<f64> = -1e12..=1e12;

@@ -1,7 +1,7 @@
 //! The schema that is checked in is the one the list of nodes makes, and the reference page of scenes has the tables that
 //! the keys of scenes make.
 //!
-//! `PHENOMENON_BLESS=1 cargo test -p phenomenon-compiler --test check_schema` writes both anew.
+//! `PHENOMENON_BLESS=1 cargo test --workspace --test file_schema` writes both anew.
 
 use std::path::{Path, PathBuf};
 
@@ -9,7 +9,8 @@ use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::document::read;
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_compiler::schema::{SCENE, file_schema, scene_page};
+use phenomenon_compiler::schema::with_tables;
+use phenomenon_runtime::scene_file::{SCENE, file_schema};
 
 fn schema() -> serde_json::Value {
     serde_json::from_str(&file_schema(&NodeLibrary::standard())).unwrap()
@@ -36,7 +37,7 @@ fn the_schema_is_in_sync() {
 fn the_page_of_scenes_shows_the_keys_as_they_are() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/scene-format.md");
     let mut page = std::fs::read_to_string(&path).unwrap();
-    let made = scene_page(&page).unwrap();
+    let made = with_tables(&page, &SCENE).unwrap();
     if std::env::var_os("PHENOMENON_BLESS").is_some() {
         std::fs::write(&path, &made).unwrap();
         page.clone_from(&made);

@@ -1,17 +1,16 @@
-//! Tables of keys for the reference page of scene files.
+//! Tables of keys for reference pages.
 
 use std::fmt::Write;
 
 use super::key::{Given, Key, Kind, Section};
-use super::scene_keys::SCENE;
 
 /// The page with its tables as the keys are now. What stands between `<!-- keys of NAME -->` and `<!-- end -->` is made
-/// anew for the section called `NAME`; the rest stays.
+/// anew for the section called `NAME`, which is `root` or one below it; the rest stays.
 ///
 /// # Errors
 /// The section that has no place in the page, or the mark that names none.
-pub fn scene_page(page: &str) -> Result<String, String> {
-    let mut left: Vec<&Section> = SCENE.all();
+pub fn with_tables(page: &str, root: &'static Section) -> Result<String, String> {
+    let mut left: Vec<&Section> = root.all();
     let mut text = String::new();
     let mut rest = page;
     while let Some((before, after)) = rest.split_once(MARK) {
@@ -62,9 +61,33 @@ fn value(kind: &Kind) -> String {
 mod tests {
     use super::*;
 
+    static ROOT: Section = Section {
+        name: "root",
+        what: "a root",
+        keys: &[Key {
+            name: "size",
+            kind: Kind::Number(0.0..=1.0),
+            given: Given::Default("1"),
+            unit: "metres",
+            doc: "How large",
+        }],
+        one_of: &[],
+    };
+
+    #[test]
+    fn tables_are_made_anew_and_the_rest_stays() {
+        let page = with_tables("a\n<!-- keys of root -->old<!-- end -->\nb", &ROOT).unwrap();
+        assert!(page.starts_with("a\n<!-- keys of root -->\n\n| key |"), "{page}");
+        assert!(page.contains(
+            "\n| `size` | number | metres | `1` | 0 to 1 | How large |\n\n<!-- end -->\nb"
+        ));
+        assert_eq!(with_tables(&page, &ROOT).unwrap(), page);
+    }
+
     #[test]
     fn a_page_without_a_section_is_refused() {
-        assert_eq!(scene_page("").unwrap_err(), "scene");
-        assert_eq!(scene_page("<!-- keys of nothing --><!-- end -->").unwrap_err(), "nothing");
+        assert_eq!(with_tables("", &ROOT).unwrap_err(), "root");
+        let other = "<!-- keys of nothing --><!-- end -->";
+        assert_eq!(with_tables(other, &ROOT).unwrap_err(), "nothing");
     }
 }

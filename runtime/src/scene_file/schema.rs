@@ -1,13 +1,32 @@
-//! The schema of scene files.
+//! The JSON Schema of graph and scene files: editors complete node types, inputs, keys and words from it, with
+//! their docs.
 
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::schema::{Given, Key, Kind, Section, define_graph, object, reference};
 use serde_json::{Map, Value, json};
 
-use super::key::{Given, Key, Kind, Section};
-use super::scene_keys::SCENE;
-use super::{object, reference};
+use super::keys::SCENE;
+
+/// The schema as JSON text (draft 7, which editors know best). A file with the key `scene` is a
+/// scene, any other a graph.
+pub fn file_schema(library: &NodeLibrary) -> String {
+    let mut definitions = Map::new();
+    define_graph(library, &mut definitions);
+    define_scene(&mut definitions);
+    let schema = json!({
+        "$schema": "http://json-schema.org/draft-07/schema#",
+        "title": "phenomenon graph or scene, format 1",
+        "type": "object",
+        "if": { "required": ["scene"] },
+        "then": reference("scene"),
+        "else": reference("graph"),
+        "definitions": definitions,
+    });
+    format!("{schema:#}\n")
+}
 
 /// Adds the definition `scene` and what it needs.
-pub(super) fn define(definitions: &mut Map<String, Value>) {
+fn define_scene(definitions: &mut Map<String, Value>) {
     for section in SCENE.all() {
         definitions.insert(definition(section), schema(section));
     }
