@@ -1,19 +1,19 @@
 //! Graph files, parameters and engines, as every command that shades needs them.
 
-use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
 use clap::Args;
-use phenomenon_compiler::check::{Checked, bind_text, check_graph};
+use phenomenon_compiler::check::{Checked, check_graph};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::all_mistakes;
 use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::values::Literal;
+use phenomenon_runtime::link::{ShowNodeError, TextValue, ValueError, ValueFault, bind_texts};
 
-use crate::arguments::{self, Assignment, EngineChoice, Precision, SimdChoice};
+use crate::arguments::{self, EngineChoice, Precision, SimdChoice};
 use crate::failure::Failure;
 use crate::inputs;
 use crate::report;
@@ -100,31 +100,34 @@ pub fn unusable(path: &Path) -> Failure {
     )
 }
 
-/// Binds `--set` to the parameters of a graph; `object` stands before their names on the command
-/// line: `floor:`, or nothing.
+/// Binds `--set` to the parameters of a graph.
 ///
 /// # Errors
 /// There is no such parameter, it is set twice, or the value does not suit it.
-pub fn bind(
-    graph: &Graph,
-    object: &str,
-    settings: &[Assignment],
-) -> Result<Vec<(String, Literal)>, Failure> {
-    let mut values: Vec<(String, Literal)> = Vec::with_capacity(settings.len());
-    let mut known = HashSet::new();
-    for Assignment { name, value } in settings {
-        let flag = || format!("--set {object}{name}={value}");
-        let given = bind_text(graph, name, value)
-            .map_err(|error| Failure::new(format!("{}: {error}", flag()), ""))?;
-        for (part, literal) in given {
-            if !known.insert(part.clone()) {
-                let message = format!("{}: `{part}` is set twice", flag());
-                return Err(Failure::new(message, "leave one of them out"));
-            }
-            values.push((part, literal));
+pub fn bind(graph: &Graph, set: &[TextValue]) -> Result<Vec<(String, Literal)>, Failure> {
+    bind_texts(graph, set).map_err(|error| bad_value("", &error))
+}
+
+/// The failure of a `--set`; `object` stands before the name on the command line: `floor:`, or nothing.
+pub fn bad_value(object: &str, error: &ValueError) -> Failure {
+    let help = match error.fault {
+        ValueFault::Twice(_) => "leave one of them out",
+        ValueFault::Unsuitable(_) => "",
+    };
+    Failure::new(format!("--set {object}{error}"), help)
+}
+
+/// The failure of a `--node`.
+pub fn not_shown(error: &ShowNodeError) -> Failure {
+    match error {
+        ShowNodeError::ByHand => {
+            Failure::new(format!("--engine monolith: {error}"), "choose walk, batch or jit")
         }
+        ShowNodeError::Missing { error: missing, .. } => {
+            Failure::new(format!("--node {error}"), missing.help())
+        }
+        ShowNodeError::NoValue(_) => Failure::new(format!("--node: {error}"), ""),
     }
-    Ok(values)
 }
 
 /// Compiles a graph.
@@ -138,8 +141,12 @@ pub fn compile(
     options: Options,
 ) -> Result<Shader, Failure> {
     let name = graph.name.clone();
-    Shader::new(Arc::new(graph), Arc::clone(library), values, options).map_err(|error| {
-        let help = if matches!(error, ShaderError::Jit(_)) { "use `--engine batch`" } else { "" };
-        Failure::new(format!("`{name}`: {error}"), help)
-    })
+    let shader = Shader::new(Arc::new(graph), Arc::clone(library), values, options);
+    shader.map_err(|error| not_compiled(&name, &error))
+}
+
+/// The failure of a graph that cannot be compiled.
+pub fn not_compiled(graph: &str, error: &ShaderError) -> Failure {
+    let help = if matches!(error, ShaderError::Jit(_)) { "use `--engine batch`" } else { "" };
+    Failure::new(format!("`{graph}`: {error}"), help)
 }

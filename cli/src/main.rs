@@ -12,7 +12,6 @@ mod outputs;
 mod report;
 mod scenes;
 mod terminal;
-mod usable;
 
 use std::process::ExitCode;
 

@@ -1,20 +1,13 @@
 //! `NAME=VALUE`, for parameters and state fields.
 
-/// A name and the text of its value, which only its type can tell how to read.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Assignment {
-    /// Left of the first `=`.
-    pub name: String,
-    /// Right of it, as it stands: spaces may belong to a string.
-    pub value: String,
-}
+use phenomenon_runtime::link::TextValue;
 
 /// Reads `NAME=VALUE`.
-pub fn assignment(text: &str) -> Result<Assignment, String> {
+pub fn assignment(text: &str) -> Result<TextValue, String> {
     match text.split_once('=') {
         // Names have no spaces, so those round one mean nothing.
         Some((name, value)) if !name.trim().is_empty() => {
-            Ok(Assignment { name: name.trim().into(), value: value.into() })
+            Ok(TextValue { name: name.trim().into(), value: value.into() })
         }
         _ => Err("write NAME=VALUE; a vector or colour is x,y,z".into()),
     }

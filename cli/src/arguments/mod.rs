@@ -3,7 +3,6 @@
 mod allowance;
 mod assignment;
 mod choices;
-mod node_path;
 mod numbers;
 mod output;
 mod region;
@@ -11,9 +10,8 @@ mod size;
 mod synonyms;
 
 pub use allowance::allowable;
-pub use assignment::{Assignment, assignment};
+pub use assignment::assignment;
 pub use choices::{EngineChoice, Format, Precision, SimdChoice};
-pub use node_path::{NodePath, node_path};
 pub use numbers::{batch, exposure, runs, samples, seed, threads, tolerance};
 pub use output::picture;
 pub use region::region;

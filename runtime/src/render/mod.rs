@@ -2,6 +2,7 @@
 
 mod clock;
 mod context;
+mod empty_scene;
 mod lighting;
 mod points;
 mod requests;
@@ -11,6 +12,7 @@ mod statistics;
 mod tiles;
 
 pub use context::Context;
+pub use empty_scene::EmptyScene;
 pub use roots::CALLED_ROOTS;
 pub use statistics::{RayCounts, Statistics};
 pub use tiles::{Region, RenderError, Rendered, SAMPLE_LIMIT, Settings, render, render_region};

@@ -41,10 +41,7 @@ impl Renderer for Context<'_> {
         colors: &mut [Option<[f32; 4]>],
     ) {
         let before = self.clock.switch(Who::Renderer);
-        let picture = self.scene.textures.picture(texture);
-        for (at, color) in coordinates.iter().zip(colors) {
-            *color = picture.and_then(|picture| picture.color(*at));
-        }
+        self.scene.textures.read(texture, coordinates, colors);
         self.clock.switch(before);
     }
 

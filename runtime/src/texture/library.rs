@@ -109,6 +109,20 @@ impl Textures {
     pub fn picture(&self, texture: TextureId) -> Option<&Picture> {
         self.pictures.get(texture.0 as usize)
     }
+
+    /// The colour of a texture at each pair of coordinates, as shaders are answered; none where there is
+    /// none.
+    pub fn read(
+        &self,
+        texture: TextureId,
+        coordinates: &[[f32; 2]],
+        colors: &mut [Option<[f32; 4]>],
+    ) {
+        let picture = self.picture(texture);
+        for (at, color) in coordinates.iter().zip(colors) {
+            *color = picture.and_then(|picture| picture.color(*at));
+        }
+    }
 }
 
 #[cfg(test)]

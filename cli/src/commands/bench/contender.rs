@@ -1,10 +1,10 @@
 //! One engine at one workload, and the clock.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Duration;
 
 use cpu_time::ThreadTime;
+use phenomenon_compiler::effects::NoScene;
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -13,7 +13,6 @@ use phenomenon_compiler::state::State;
 use super::statistics::{median, spread};
 use super::workloads::states;
 use crate::arguments::EngineChoice;
-use crate::commands::eval::empty_scene::EmptyScene;
 use crate::failure::Failure;
 
 /// How long a turn takes: long beside the clock's steps, short beside the minutes of a machine.
@@ -23,24 +22,19 @@ const TURN: Duration = Duration::from_millis(10);
 pub struct Points {
     states: Vec<State>,
     results: Vec<Shaded>,
-    scene: EmptyScene,
 }
 
 impl Points {
     /// The points of every workload.
-    ///
-    /// # Errors
-    /// None: there is no texture that could not be opened.
-    pub fn new() -> Result<Self, Failure> {
+    pub fn new() -> Self {
         let states = states();
-        let scene = EmptyScene::new(&BTreeSet::new()).map_err(|error| Failure::new(error, ""))?;
-        Ok(Self { results: vec![Shaded::default(); states.len()], states, scene })
+        Self { results: vec![Shaded::default(); states.len()], states }
     }
 
     /// Shades all of them once.
     fn shade(&mut self, shader: &dyn Shade, batch: usize) {
         for (points, results) in self.states.chunks(batch).zip(self.results.chunks_mut(batch)) {
-            shader.shade(RootKind::Material, points, &mut self.scene, results);
+            shader.shade(RootKind::Material, points, &mut NoScene, results);
         }
     }
 }

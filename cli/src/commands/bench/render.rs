@@ -16,7 +16,7 @@ use crate::failure::{Failure, Outcome};
 use crate::graphs::EngineArguments;
 use crate::inputs;
 use crate::outputs;
-use crate::scenes::{self, Change, Picture};
+use crate::scenes::{self, Flags, Picture};
 use crate::terminal;
 
 /// Render the same picture with every engine in turn, several times, and print the medians.
@@ -86,8 +86,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             simd: SimdChoice::default(),
             batch: 256,
         };
-        let change = Change::default();
-        match scenes::load(&arguments.file, &library, &run, &change) {
+        match scenes::load(&arguments.file, &library, &run, &Flags::default()) {
             Ok(picture) => contenders.push(Contender { engine, picture, runs: Vec::new() }),
             // Not every graph is written by hand, and not every machine has the jit.
             Err(failure) if !contenders.is_empty() => {

@@ -63,7 +63,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let results = folder.map(|folder| Results::new(folder, "shade")).transpose()?;
     let library = Arc::new(NodeLibrary::standard());
     let engines = engines(&library)?;
-    let mut points = Points::new()?;
+    let mut points = Points::new();
     let mut races = Vec::new();
     for workload in Workload::ALL {
         if arguments.workload.is_empty() || arguments.workload.contains(&workload) {

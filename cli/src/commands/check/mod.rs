@@ -1,19 +1,17 @@
 //! `phenomenon check`: everything that is wrong in graphs and scenes.
 
 mod mend;
-mod scene;
 
-pub use scene::check_with as check_scene;
-
-use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use phenomenon_compiler::check::{Checked, Files, OnDisk, check_graph_with};
-use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
+use phenomenon_compiler::diagnostics::{Code, Finding, Severity, TellOnce};
 use phenomenon_compiler::document::{self, Document};
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_runtime::scene_file::is_scene;
+use phenomenon_runtime::link::{check_with_graphs, uncompilable};
+use phenomenon_runtime::scene_file::{Assets, is_scene};
+use phenomenon_runtime::texture::DecodedPictures;
 
 use crate::arguments;
 use crate::difference;
@@ -22,7 +20,6 @@ use crate::inputs::{self, Input};
 use crate::outputs;
 use crate::report::{Format, Report};
 use crate::terminal;
-use crate::usable::{DecodedPictures, uncompilable};
 
 /// Says all that is wrong in graphs and scenes.
 #[derive(Debug, clap::Args)]
@@ -68,7 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let library = Arc::new(NodeLibrary::standard());
     let mut findings = Vec::new();
     let mut omitted = 0;
-    let mut told = HashSet::new();
+    let mut once = TellOnce::default();
     let (mut looked_at, mut foreign) = (0_usize, 0_usize);
     // A picture that several files use is decoded once.
     let files = DecodedPictures::of(&OnDisk);
@@ -86,15 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
         omitted += checked.omitted;
         // A file that several others use is checked with each of them, but told of once.
-        findings.extend(checked.findings.into_iter().filter(|finding| {
-            let place = &finding.place;
-            told.insert((
-                place.file.name.clone(),
-                place.start,
-                finding.code,
-                finding.message.clone(),
-            ))
-        }));
+        findings.extend(checked.findings.into_iter().filter(|finding| once.is_new(finding)));
     }
     tell_passed_over(foreign);
     if looked_at == 0 {
@@ -178,7 +167,8 @@ fn check_read(
     match document {
         Ok(document) if input.in_folder && !inputs::is_ours(&document) => None,
         Ok(document) if is_scene(&document) => {
-            Some(scene::check(&document, inputs::folder(&input.path), library, files))
+            let (folder, assets) = (inputs::folder(&input.path), Assets::default());
+            Some(check_with_graphs(&document, folder, library, files, &assets))
         }
         Ok(document) => {
             let mut checked = check_graph_with(&document, library, files);

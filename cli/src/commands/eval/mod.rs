@@ -1,6 +1,5 @@
 //! `phenomenon eval`.
 
-pub mod empty_scene;
 mod state_fields;
 mod values;
 
@@ -15,10 +14,11 @@ use phenomenon_compiler::graph::{Binding, Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
 use phenomenon_compiler::values::Literal;
+use phenomenon_runtime::link::{NodePath, ShowNodeError, TextValue};
+use phenomenon_runtime::render::EmptyScene;
 
-use self::empty_scene::EmptyScene;
 use self::values::Evaluation;
-use crate::arguments::{self, Assignment, EngineChoice, Format, NodePath};
+use crate::arguments::{self, EngineChoice, Format};
 use crate::failure::{Failure, Outcome};
 use crate::graphs::{self, EngineArguments, Told};
 use crate::terminal;
@@ -33,14 +33,14 @@ pub struct Arguments {
 
     /// Give a parameter another value than its default; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = arguments::assignment)]
-    set: Vec<Assignment>,
+    set: Vec<TextValue>,
 
     /// Give a field of the state a value; may be repeated
     #[arg(long, value_name = "FIELD=VALUE", value_parser = arguments::assignment)]
-    state: Vec<Assignment>,
+    state: Vec<TextValue>,
 
     /// Evaluate this node instead of a root: all of its outputs, or the one named
-    #[arg(long, value_name = "NODE[.OUTPUT]", value_parser = arguments::node_path)]
+    #[arg(long, value_name = "NODE[.OUTPUT]", value_parser = NodePath::read)]
     node: Option<NodePath>,
 
     /// Which root to evaluate
@@ -90,7 +90,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let (state, notes) = state_fields::state(&arguments.state)?;
     let library = Arc::new(NodeLibrary::standard());
     let graph = Told { allow: &arguments.allow }.read(&arguments.graph, &library)?;
-    let values = graphs::bind(&graph, "", &arguments.set)?;
+    let values = graphs::bind(&graph, &arguments.set)?;
     notes.iter().for_each(|note| terminal::tell(note));
     let point = Point {
         library: &library,
@@ -147,7 +147,9 @@ impl Point<'_> {
     }
 
     fn node(&self, graph: &Graph, path: &NodePath) -> Result<Evaluation, Failure> {
-        let (node, output) = path.find(graph, self.library)?;
+        let (node, output) = path.find(graph, self.library).map_err(|error| {
+            graphs::not_shown(&ShowNodeError::Missing { path: path.clone(), error })
+        })?;
         let signature = self.library.signature(graph.nodes[node].node_type);
         let outputs = match output {
             Some(output) => output..output + 1,
@@ -157,7 +159,7 @@ impl Point<'_> {
         for output in outputs {
             let mut alone = graph
                 .with_root(self.library, node, output)
-                .map_err(|error| Failure::new(format!("--node: {error}"), ""))?;
+                .map_err(|error| graphs::not_shown(&error.into()))?;
             alone.roots.retain(|root| root.kind == RootKind::Material);
             let shaded = self.shade(alone, RootKind::Material)?;
             let value_type = graph.output_type(self.library, node, output);

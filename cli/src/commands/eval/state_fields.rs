@@ -5,7 +5,8 @@ use phenomenon_compiler::document::numbers::{self, Whole};
 use phenomenon_compiler::state::{Field, RayType, State};
 use phenomenon_compiler::values::{Literal, Type};
 
-use crate::arguments::Assignment;
+use phenomenon_runtime::link::TextValue;
+
 use crate::failure::Failure;
 
 /// Directions this near to unit length are taken as they are, to the bit.
@@ -28,12 +29,12 @@ const RAY_TYPES: [(&str, RayType); 7] = [
 ///
 /// # Errors
 /// An unknown field, a field set twice, or a value the renderer never builds.
-pub fn state(assignments: &[Assignment]) -> Result<(State, Vec<String>), Failure> {
+pub fn state(assignments: &[TextValue]) -> Result<(State, Vec<String>), Failure> {
     let mut state = State::default();
     let mut notes = Vec::new();
     let mut given: Vec<Field> = Vec::new();
     for assignment in assignments {
-        let Assignment { name, value } = assignment;
+        let TextValue { name, value } = assignment;
         let refuse =
             |why: &str, help: &str| Failure::new(format!("--state {name}={value}: {why}"), help);
         let field = field(name).map_err(|help| refuse("the state has no such field", &help))?;

@@ -8,12 +8,12 @@ use phenomenon_compiler::check::check_graph_with;
 use phenomenon_compiler::diagnostics::{Finding, Place, Related, Severity, SourceFile};
 use phenomenon_compiler::document::{self, Document, ValueKind};
 use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_runtime::link::check_with_graphs;
 use phenomenon_runtime::scene_file::{Assets, is_scene};
 use serde_json::{Value, json};
 
 use super::address::{names_of, path_of, uri_of};
 use super::in_editor::InEditor;
-use crate::commands::check::check_scene;
 use crate::ours::Ours;
 
 /// A file, its findings, and the last form of it that was JSON.
@@ -56,7 +56,7 @@ impl OpenFile {
             Ok(document) => {
                 let findings = if is_scene(&document) {
                     let folder = path.parent().unwrap_or(Path::new(""));
-                    check_scene(&document, folder, library, files, assets)
+                    check_with_graphs(&document, folder, library, files, assets)
                 } else {
                     check_graph_with(&document, library, files)
                 };

@@ -11,15 +11,16 @@ use clap::{Args, ValueHint};
 use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::film;
+use phenomenon_runtime::link::{NodePath, TextValue};
 use phenomenon_runtime::render::{Region, RenderError, Rendered, Settings, render_region};
 use phenomenon_runtime::scene_file::SceneOptions;
 
 use self::cost::Cost;
-use crate::arguments::{self, Assignment, NodePath, Size};
+use crate::arguments::{self, Size};
 use crate::failure::{Failure, Outcome};
 use crate::graphs::EngineArguments;
 use crate::outputs::{self, Output};
-use crate::scenes::{self, Change, Picture};
+use crate::scenes::{self, Flags, Picture};
 use crate::terminal;
 
 /// Render a picture of a scene, or of a graph in the default scene.
@@ -59,11 +60,11 @@ pub struct Arguments {
 
     /// Give a parameter another value; in a scene OBJECT:NAME=VALUE; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = arguments::assignment)]
-    set: Vec<Assignment>,
+    set: Vec<TextValue>,
 
     /// Show this node of the graph, a vector as red, green and blue, a truth value as white or black;
     /// in a scene OBJECT:NODE
-    #[arg(long, value_name = "NODE[.OUTPUT]", value_parser = arguments::node_path)]
+    #[arg(long, value_name = "NODE[.OUTPUT]", value_parser = NodePath::read)]
     node: Option<NodePath>,
 
     /// Where the picture goes; otherwise NAME.png here, for a file called NAME.json, where no other
@@ -121,13 +122,13 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let outputs: Vec<Output<'_>> = std::iter::once(picture_file).chain(stats).collect();
     outputs.iter().try_for_each(|output| output.require_writable())?;
     let library = Arc::new(NodeLibrary::standard());
-    let change = Change {
+    let flags = Flags {
         set: &arguments.set,
         node: arguments.node.as_ref(),
         stage: arguments.scene.as_deref(),
         allow: &arguments.allow,
     };
-    let picture = scenes::load(&arguments.file, &library, &arguments.engine, &change)?;
+    let picture = scenes::load(&arguments.file, &library, &arguments.engine, &flags)?;
     outputs::require_apart(&outputs)?;
     let is_named = arguments.output.is_none();
     if is_named {

@@ -75,19 +75,18 @@ impl Workload {
 mod tests {
     use std::sync::Arc;
 
+    use phenomenon_compiler::effects::NoScene;
     use phenomenon_compiler::engine::{Engine, Options, Shaded, Shader};
     use phenomenon_compiler::graph::RootKind;
 
     use super::*;
     use crate::commands::bench::workloads::states;
-    use crate::commands::eval::empty_scene::EmptyScene;
 
     fn colors(shader: &dyn Shade, batch: usize) -> Vec<[f32; 4]> {
         let states = states();
-        let mut scene = EmptyScene::new(&shader.textures()).unwrap();
         let mut results = vec![Shaded::default(); states.len()];
         for (points, results) in states.chunks(batch).zip(results.chunks_mut(batch)) {
-            shader.shade(RootKind::Material, points, &mut scene, results);
+            shader.shade(RootKind::Material, points, &mut NoScene, results);
         }
         assert!(results.iter().all(|result| result.ok));
         results.into_iter().map(|result| result.color).collect()

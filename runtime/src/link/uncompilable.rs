@@ -1,12 +1,7 @@
-//! What only shows when a graph is put to use: pictures that cannot be decoded, programs that grow
-//! too large. `check` looks for it; `render` and `eval` say with its help where it is.
+//! What only shows when a graph is put to use: programs that grow too large.
 
-use std::cell::RefCell;
-use std::collections::HashMap;
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use phenomenon_compiler::check::Files;
 use phenomenon_compiler::diagnostics::{Code, Finding, Place};
 use phenomenon_compiler::document::Document;
 use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
@@ -14,44 +9,6 @@ use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::specialise::SpecialiseError;
 use phenomenon_compiler::values::Literal;
-use phenomenon_runtime::texture;
-
-/// Files whose pictures are decoded, to see whether they can be; each once.
-pub struct DecodedPictures<'f> {
-    files: &'f dyn Files,
-    known: RefCell<HashMap<PathBuf, Option<(Code, String)>>>,
-}
-
-impl<'f> DecodedPictures<'f> {
-    /// Those of `files`.
-    pub fn of(files: &'f dyn Files) -> Self {
-        Self { files, known: RefCell::default() }
-    }
-}
-
-impl Files for DecodedPictures<'_> {
-    fn read(&self, path: &Path) -> Result<Document, Box<Finding>> {
-        self.files.read(path)
-    }
-
-    fn identity(&self, path: &Path) -> PathBuf {
-        self.files.identity(path)
-    }
-
-    fn unusable(&self, path: &Path) -> Option<String> {
-        self.files.unusable(path)
-    }
-
-    fn unusable_picture(&self, path: &Path) -> Option<(Code, String)> {
-        let mut known = self.known.borrow_mut();
-        let found = known.entry(path.to_owned()).or_insert_with(|| {
-            self.files.unusable_picture(path).or_else(|| {
-                texture::unusable(path).map(|error| (Code::UNUSABLE_FILE, error.to_string()))
-            })
-        });
-        found.clone()
-    }
-}
 
 /// Why a graph cannot be compiled with these values, as findings in its file.
 pub fn uncompilable(

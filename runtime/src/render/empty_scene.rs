@@ -1,13 +1,13 @@
-//! A scene of nothing but textures: rays hit nothing, the environment is black and not ok, no light
-//! shines.
+//! A scene of nothing but textures.
 
 use std::collections::BTreeSet;
 
-use phenomenon_compiler::effects::{Answer, Ray, Renderer, TextureId, Trace};
+use phenomenon_compiler::effects::{Answer, NoScene, Ray, Renderer, TextureId, Trace};
 use phenomenon_compiler::values::Texture;
-use phenomenon_runtime::texture::{TextureError, Textures};
 
-/// See the module.
+use crate::texture::{TextureError, Textures};
+
+/// Answers as [`NoScene`] does, but for textures, which can be read.
 pub struct EmptyScene {
     textures: Textures,
 }
@@ -25,8 +25,8 @@ impl EmptyScene {
 }
 
 impl Renderer for EmptyScene {
-    fn trace(&mut self, _: Trace, _: &[Ray], answers: &mut [Answer]) {
-        answers.fill(Answer::default());
+    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
+        NoScene.trace(trace, rays, answers);
     }
 
     fn texture(&mut self, texture: &Texture) -> TextureId {
@@ -39,9 +39,6 @@ impl Renderer for EmptyScene {
         coordinates: &[[f32; 2]],
         colors: &mut [Option<[f32; 4]>],
     ) {
-        let picture = self.textures.picture(texture);
-        for (at, color) in coordinates.iter().zip(colors) {
-            *color = picture.and_then(|picture| picture.color(*at));
-        }
+        self.textures.read(texture, coordinates, colors);
     }
 }

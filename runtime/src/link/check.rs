@@ -5,30 +5,21 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use phenomenon_compiler::check::{Checked, Files, check_graph_with};
-use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
+use phenomenon_compiler::diagnostics::{Code, Finding, Severity, TellOnce};
 use phenomenon_compiler::document::{Document, all_mistakes};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_runtime::scene_file::{
+
+use super::uncompilable::uncompilable;
+use crate::scene_file::{
     Assets, MaterialRef, MaterialSource, SceneFile, check_scene_with, is_scene, missing_root,
     settings, unknown_lights,
 };
 
-use crate::usable::uncompilable;
-
 /// Everything wrong in a scene, in its graphs, and in how the two fit. The scene's own findings come
-/// first, in file order. What it uses is checked even where the scene itself has errors.
-pub fn check(
-    document: &Document,
-    folder: &Path,
-    library: &NodeLibrary,
-    files: &dyn Files,
-) -> Checked {
-    check_with(document, folder, library, files, &Assets::default())
-}
-
-/// The same with what is remembered of pictures.
-pub fn check_with(
+/// first, in file order. What it uses is checked even where the scene itself has errors. The files it
+/// names are looked for in `folder`; graphs come from `files`, pictures and meshes from `assets`.
+pub fn check_with_graphs(
     document: &Document,
     folder: &Path,
     library: &NodeLibrary,
@@ -50,11 +41,8 @@ pub fn check_with(
     own.sort_by_key(|finding| finding.place.start);
     own.extend(others);
     // Two objects of one graph find the same in it.
-    let mut told = HashSet::new();
-    own.retain(|finding| {
-        let place = &finding.place;
-        told.insert((place.file.name.clone(), place.start, finding.code, finding.message.clone()))
-    });
+    let mut once = TellOnce::default();
+    own.retain(|finding| once.is_new(finding));
     Checked { graph: None, findings: own, omitted: scene.omitted + graphs.omitted }
 }
 

@@ -1,0 +1,19 @@
+//! The flags that say what is looked at.
+
+use std::path::Path;
+
+use phenomenon_compiler::diagnostics::Code;
+use phenomenon_runtime::link::{NodePath, TextValue};
+
+/// What the command line says about what is looked at.
+#[derive(Clone, Debug, Default)]
+pub struct Flags<'a> {
+    /// `--set`.
+    pub set: &'a [TextValue],
+    /// `--node`.
+    pub node: Option<&'a NodePath>,
+    /// `--scene`.
+    pub stage: Option<&'a Path>,
+    /// `--allow`.
+    pub allow: &'a [Code],
+}

@@ -1,0 +1,200 @@
+//! Reading a scene, or a graph and the scene it is shown in.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+use phenomenon_compiler::check::check_graph;
+use phenomenon_compiler::document::{Document, all_mistakes};
+use phenomenon_compiler::engine::Shader;
+use phenomenon_compiler::graph::RootKind;
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_runtime::link::{
+    self, Changes, Linker, Note, Shading, ShowNodeError, Subject, shown_node,
+};
+use phenomenon_runtime::scene::Scene;
+use phenomenon_runtime::scene_file::{
+    LightNames, SceneDescription, SceneFile, SceneOptions, check_scene, default_scene, is_scene,
+};
+
+use super::changes;
+use super::flags::Flags;
+use super::refused::refused;
+use crate::arguments::EngineChoice;
+use crate::failure::Failure;
+use crate::graphs::{self, EngineArguments, Told};
+use crate::inputs;
+use crate::terminal;
+
+/// A scene ready to be rendered.
+pub struct Picture {
+    /// The scene.
+    pub scene: Scene,
+    /// How it is rendered unless flags say otherwise.
+    pub options: SceneOptions,
+    /// Time spent reading and checking, in milliseconds.
+    pub check_milliseconds: f64,
+    shaders: Vec<Arc<Shader>>,
+}
+
+impl Picture {
+    /// Time spent compiling, in milliseconds.
+    pub fn compile_milliseconds(&self) -> f64 {
+        self.shaders.iter().map(|shader| shader.compile_milliseconds()).sum()
+    }
+
+    /// Points shaded by each engine; `all` is their number, which a monolith does not count itself.
+    pub fn points(&self, engine: EngineChoice, all: u64) -> Vec<(&'static str, u64)> {
+        if engine == EngineChoice::Monolith {
+            return vec![("monolith", all)];
+        }
+        let mut points: Vec<(&'static str, u64)> = Vec::new();
+        for (engine, count) in self.shaders.iter().flat_map(|shader| shader.points()) {
+            match points.iter_mut().find(|(known, _)| *known == engine) {
+                Some((_, sum)) => *sum += count,
+                None => points.push((engine, count)),
+            }
+        }
+        points
+    }
+}
+
+/// Reads a scene, or a graph and the scene it is shown in, and compiles what it needs. What is found
+/// on the way goes to standard error.
+///
+/// # Errors
+/// A file that cannot be used, or a value that does not suit its name.
+pub fn load(
+    path: &Path,
+    library: &Arc<NodeLibrary>,
+    engine: &EngineArguments,
+    flags: &Flags<'_>,
+) -> Result<Picture, Failure> {
+    let start = Instant::now();
+    let told = Told { allow: flags.allow };
+    let document = opened(path, told)?;
+    let mut changes = Changes::default();
+    let (mut scene, lights, subject) = if is_scene(&document) {
+        if let Some(stage) = flags.stage {
+            let message =
+                format!("--scene {}: {} is a scene itself", stage.display(), path.display());
+            return Err(Failure::new(message, "give a graph to show in it, or leave --scene out"));
+        }
+        let (mut scene, lights) = described(path, &document, told)?;
+        changes = changes::mark(&mut scene, flags)?;
+        (scene, lights, None)
+    } else {
+        let subject = subject(path, document, library, engine, flags)?;
+        let (scene, lights) = match flags.stage {
+            Some(stage) => self::stage(stage, path, told)?,
+            None => usable(Path::new("the default scene"), default_scene(), told)?,
+        };
+        (scene, lights, Some(subject))
+    };
+    if let Some(subject) = &subject {
+        scene.show(&subject.graph);
+    }
+    let linker = Linker {
+        library,
+        shading: match engine.engine.compiled() {
+            Some(compiled) => Shading::Compiled(engine.options(compiled)),
+            None => Shading::ByHand,
+        },
+        subject: subject.as_ref(),
+        changes: &changes,
+        built_in: subject.is_some() && flags.stage.is_none(),
+    };
+    let linked = linker.link(&scene, &lights, &mut |what| tell(told, &what));
+    let linked = linked.map_err(|error| refused(path, error))?;
+    let whole = start.elapsed().as_secs_f64() * 1e3;
+    Ok(Picture {
+        scene: linked.scene,
+        options: scene.options,
+        check_milliseconds: whole - linked.compile_milliseconds,
+        shaders: linked.shaders,
+    })
+}
+
+fn tell(told: Told<'_>, what: &link::Told<'_>) {
+    match what {
+        link::Told::Findings { findings, omitted } => told.tell(findings, *omitted),
+        link::Told::Note(note) => tell_note(note),
+    }
+}
+
+fn tell_note(note: &Note) {
+    terminal::tell(&format!("note: {note}"));
+}
+
+fn opened(path: &Path, told: Told<'_>) -> Result<Document, Failure> {
+    inputs::read(path).map_err(|finding| {
+        told.tell(&all_mistakes(*finding), 0);
+        graphs::unusable(path)
+    })
+}
+
+/// The scene a graph is to be shown in.
+fn stage(
+    stage: &Path,
+    graph: &Path,
+    told: Told<'_>,
+) -> Result<(SceneDescription, LightNames), Failure> {
+    let document = opened(stage, told)?;
+    let flag = format!("--scene {}", stage.display());
+    if !is_scene(&document) {
+        let help = format!("write `render {} --scene SCENE.json`", graph.display());
+        return Err(Failure::new(format!("{flag}: this file is no scene"), help));
+    }
+    let (scene, lights) = described(stage, &document, told)?;
+    if !scene.has_subject() {
+        return Err(Failure::new(
+            format!("{flag}: no object of this scene shows the graph"),
+            "give one of its objects \"material\": { \"subject\": true }",
+        ));
+    }
+    Ok((scene, lights))
+}
+
+fn subject(
+    path: &Path,
+    document: Document,
+    library: &NodeLibrary,
+    engine: &EngineArguments,
+    flags: &Flags<'_>,
+) -> Result<Subject, Failure> {
+    let told = Told { allow: flags.allow };
+    let graph = told.checked(path, check_graph(&document, library))?;
+    let document = Arc::new(document);
+    let values = graphs::bind(&graph, flags.set)?;
+    Note::idle(&graph).iter().for_each(tell_note);
+    let graph = match flags.node {
+        Some(_) if engine.engine == EngineChoice::Monolith => {
+            return Err(graphs::not_shown(&ShowNodeError::ByHand));
+        }
+        Some(node) => shown_node(&graph, library, node, RootKind::Material)
+            .map_err(|error| graphs::not_shown(&error))?,
+        None => graph,
+    };
+    Note::unseen(&graph).iter().for_each(tell_note);
+    Ok(Subject { graph, document, values })
+}
+
+fn described(
+    path: &Path,
+    document: &Document,
+    told: Told<'_>,
+) -> Result<(SceneDescription, LightNames), Failure> {
+    usable(path, check_scene(document, inputs::folder(path)), told)
+}
+
+fn usable(
+    path: &Path,
+    file: SceneFile,
+    told: Told<'_>,
+) -> Result<(SceneDescription, LightNames), Failure> {
+    told.tell(&file.findings, 0);
+    match (file.scene, file.lights) {
+        (Some(scene), Some(lights)) => Ok((scene, lights)),
+        _ => Err(graphs::unusable(path)),
+    }
+}

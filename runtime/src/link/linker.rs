@@ -1,0 +1,77 @@
+//! Scenes with their graphs compiled, ready to be rendered.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use phenomenon_compiler::engine::Shader;
+use phenomenon_compiler::nodes::NodeLibrary;
+
+use super::changes::Changes;
+use super::error::LinkError;
+use super::materials::{Materials, Shading, Subject, Told};
+use crate::scene::{Scene, SceneError};
+use crate::scene_file::{BuildError, LightNames, MaterialSource, SceneDescription};
+
+/// What a scene is linked with.
+pub struct Linker<'a> {
+    /// The node types that graphs are made of.
+    pub library: &'a Arc<NodeLibrary>,
+    /// What runs graphs.
+    pub shading: Shading,
+    /// The graph that is looked at, if there is one. Its idle roots were told of by whoever read it.
+    pub subject: Option<&'a Subject>,
+    /// What is changed about the graphs that the scene uses.
+    pub changes: &'a Changes,
+    /// Whether the scene is the one built into the program, and so are the files it names.
+    pub built_in: bool,
+}
+
+/// A scene that was linked.
+pub struct Linked {
+    /// The scene.
+    pub scene: Scene,
+    /// Its compiled graphs, one for each use that differs.
+    pub shaders: Vec<Arc<Shader>>,
+    /// Time spent compiling them, in milliseconds.
+    pub compile_milliseconds: f64,
+}
+
+impl Linker<'_> {
+    /// Compiles the graphs of a scene and builds it. `tell` hears of what is found on the way.
+    ///
+    /// # Errors
+    /// A file that cannot be used, a value that does not suit its parameter, a graph that cannot be
+    /// compiled, or an object that cannot be built.
+    pub fn link(
+        &self,
+        scene: &SceneDescription,
+        lights: &LightNames,
+        tell: &mut dyn FnMut(Told<'_>),
+    ) -> Result<Linked, LinkError> {
+        let mut materials = Materials {
+            library: self.library,
+            shading: self.shading,
+            subject: self.subject,
+            changes: self.changes,
+            lights,
+            built_in: self.built_in,
+            environment: scene.environment_material().map(|material| material.place.clone()),
+            graphs: HashMap::new(),
+            idle_told: self.subject.iter().map(|_| MaterialSource::Subject).collect(),
+            shaders: Vec::new(),
+            milliseconds: 0.0,
+            tell,
+        };
+        let built = scene.build(|material| materials.shader(material));
+        let built = built.map_err(|error| match error {
+            BuildError::Material(error) => error,
+            BuildError::Object { object, source } => LinkError::Object { object, error: source },
+            BuildError::Scene(SceneError::Texture(_)) if materials.tell_pictures(scene) => {
+                LinkError::Pictures
+            }
+            BuildError::Scene(error) => LinkError::Scene(error),
+        })?;
+        let Materials { shaders, milliseconds, .. } = materials;
+        Ok(Linked { scene: built, shaders, compile_milliseconds: milliseconds })
+    }
+}

@@ -1,0 +1,236 @@
+//! Shaders for the graphs of a scene.
+
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+use phenomenon_compiler::check::{OnDisk, check_graph, check_graph_with};
+use phenomenon_compiler::diagnostics::{Finding, Place, Severity};
+use phenomenon_compiler::document::{Document, all_mistakes, read, read_file};
+use phenomenon_compiler::engine::{Options, Shade, Shader};
+use phenomenon_compiler::graph::{Graph, RootKind};
+use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::values::Literal;
+
+use super::changes::{Change, Changes};
+use super::error::{LinkError, ShowNodeError};
+use super::notes::Note;
+use super::shown::shown_node;
+use super::uncompilable::uncompilable;
+use super::values::bind_texts;
+use crate::monoliths;
+use crate::render::CALLED_ROOTS;
+use crate::scene_file::{
+    LightNames, MaterialRef, MaterialSource, SceneDescription, embedded_file, settings,
+    unknown_lights,
+};
+use crate::texture::DecodedPictures;
+
+/// What runs graphs.
+#[derive(Clone, Copy, Debug)]
+pub enum Shading {
+    /// The engine of these options; which roots it compiles is up to the linker.
+    Compiled(Options),
+    /// The monoliths that compute the same.
+    ByHand,
+}
+
+/// The graph that is looked at, with the values it is given.
+#[derive(Clone)]
+pub struct Subject {
+    /// The graph.
+    pub graph: Graph,
+    /// Its file.
+    pub document: Arc<Document>,
+    /// Values for its parameters.
+    pub values: Vec<(String, Literal)>,
+}
+
+/// What is told while a scene is linked.
+#[derive(Clone, Debug)]
+pub enum Told<'t> {
+    /// What was found in a file; if there are errors, they keep the scene from being linked.
+    Findings {
+        /// The findings.
+        findings: &'t [Finding],
+        /// How many more there are.
+        omitted: usize,
+    },
+    /// Something that keeps nothing from being rendered.
+    Note(Note),
+}
+
+/// Makes shaders of the materials of a scene.
+pub(super) struct Materials<'a> {
+    pub(super) library: &'a Arc<NodeLibrary>,
+    pub(super) shading: Shading,
+    pub(super) subject: Option<&'a Subject>,
+    pub(super) changes: &'a Changes,
+    pub(super) lights: &'a LightNames,
+    /// Whether the scene is the one built into the program, and so are the files it names.
+    pub(super) built_in: bool,
+    /// Where the scene names the graph of its environment.
+    pub(super) environment: Option<Place>,
+    pub(super) graphs: HashMap<PathBuf, (Graph, Arc<Document>)>,
+    /// Graphs of which was told what is not done.
+    pub(super) idle_told: HashSet<MaterialSource>,
+    pub(super) shaders: Vec<Arc<Shader>>,
+    /// Time spent compiling.
+    pub(super) milliseconds: f64,
+    pub(super) tell: &'a mut dyn FnMut(Told<'_>),
+}
+
+impl Materials<'_> {
+    /// The shader for a use of a graph.
+    pub(super) fn shader(&mut self, material: &MaterialRef) -> Result<Arc<dyn Shade>, LinkError> {
+        let changed = self.changes.marked(material).cloned();
+        let root = match &self.environment {
+            Some(place) if *place == material.place => RootKind::Environment,
+            _ => RootKind::Material,
+        };
+        let (mut graph, document, mut values) = match (&material.source, self.subject) {
+            (MaterialSource::Subject, Some(it)) => {
+                (it.graph.clone(), it.document.clone(), it.values.clone())
+            }
+            (MaterialSource::Subject, None) => {
+                return Err(LinkError::NoSubject { place: material.place.clone() });
+            }
+            (MaterialSource::File(path), _) => {
+                let (graph, document) = self.graph(path)?;
+                (graph, document, Vec::new())
+            }
+        };
+        if let Some(Change { object, set, .. }) = &changed {
+            values = bind_texts(&graph, set)
+                .map_err(|error| LinkError::Value { object: object.clone(), error })?;
+        }
+        self.set(material, &graph, &document, &mut values)?;
+        if self.idle_told.insert(material.source.clone()) {
+            Note::idle(&graph).into_iter().for_each(|note| self.note(note));
+        }
+        if let Some(node) = changed.and_then(|changed| changed.node) {
+            if matches!(self.shading, Shading::ByHand) {
+                return Err(ShowNodeError::ByHand.into());
+            }
+            graph = shown_node(&graph, self.library, &node, root)?;
+        }
+        if material.source != MaterialSource::Subject && graph.root(root).is_none() {
+            let place = material.place.clone();
+            self.note(Note::Black { graph: graph.name.clone(), root, place });
+        }
+        match self.shading {
+            Shading::Compiled(options) => self.compiled(material, graph, &values, options),
+            Shading::ByHand => Ok(Arc::from(monoliths::of_graph(&graph, self.library, values)?)),
+        }
+    }
+
+    /// Adds the values that the scene sets to those that whoever looks at it gives: they have the last word.
+    fn set(
+        &mut self,
+        material: &MaterialRef,
+        graph: &Graph,
+        document: &Document,
+        values: &mut Vec<(String, Literal)>,
+    ) -> Result<(), LinkError> {
+        let (set, mut findings) = settings(material, graph, &OnDisk);
+        let given: HashSet<String> = values.iter().map(|(name, _)| name.clone()).collect();
+        values.extend(set.into_iter().filter(|(name, _)| !given.contains(name)));
+        findings.extend(unknown_lights(self.lights, material, graph, values, Some(document)));
+        if findings.is_empty() {
+            return Ok(());
+        }
+        self.findings(&findings, 0);
+        Err(LinkError::Unusable { file: PathBuf::from(&material.place.file.name) })
+    }
+
+    fn compiled(
+        &mut self,
+        material: &MaterialRef,
+        graph: Graph,
+        values: &[(String, Literal)],
+        options: Options,
+    ) -> Result<Arc<dyn Shade>, LinkError> {
+        let start = Instant::now();
+        let options = Options { roots: CALLED_ROOTS, ..options };
+        let name = graph.name.clone();
+        let shader = Shader::new(Arc::new(graph), Arc::clone(self.library), values, options);
+        let shader = shader.map_err(|error| {
+            let error = LinkError::Compile { graph: name, error };
+            self.uncompilable(material, values, error)
+        })?;
+        let shader = Arc::new(shader);
+        self.milliseconds += start.elapsed().as_secs_f64() * 1e3;
+        self.shaders.push(Arc::clone(&shader));
+        Ok(shader)
+    }
+
+    /// Says where in a graph is what keeps it from being compiled.
+    fn uncompilable(
+        &mut self,
+        material: &MaterialRef,
+        values: &[(String, Literal)],
+        error: LinkError,
+    ) -> LinkError {
+        let known = match &material.source {
+            MaterialSource::Subject => self.subject.map(|it| (&it.graph, &it.document)),
+            MaterialSource::File(path) => self.graphs.get(path).map(|it| (&it.0, &it.1)),
+        };
+        let Some((graph, document)) = known else { return error };
+        let findings = uncompilable(graph, self.library, values, document);
+        if findings.is_empty() {
+            return error;
+        }
+        let file = PathBuf::from(&document.file.name);
+        self.findings(&findings, 0);
+        LinkError::Unusable { file }
+    }
+
+    /// Says where pictures are named that cannot be used; whether there are any.
+    pub(super) fn tell_pictures(&mut self, scene: &SceneDescription) -> bool {
+        let files = DecodedPictures::of(&OnDisk);
+        let subject = self.subject.iter().map(|it| &it.document);
+        let documents = subject.chain(self.graphs.values().map(|(_, document)| document));
+        let mut findings: Vec<Finding> = documents
+            .flat_map(|document| check_graph_with(document, self.library, &files).findings)
+            .collect();
+        for material in scene.materials() {
+            if let MaterialSource::File(path) = &material.source
+                && let Some((graph, _)) = self.graphs.get(path)
+            {
+                findings.extend(settings(material, graph, &files).1);
+            }
+        }
+        findings.retain(|finding| finding.severity == Severity::Error);
+        self.findings(&findings, 0);
+        !findings.is_empty()
+    }
+
+    fn graph(&mut self, path: &Path) -> Result<(Graph, Arc<Document>), LinkError> {
+        if let Some(known) = self.graphs.get(path) {
+            return Ok(known.clone());
+        }
+        let unusable = || LinkError::Unusable { file: path.to_owned() };
+        let document = match embedded_file(path).filter(|_| self.built_in) {
+            Some(text) => read(&path.display().to_string(), text.as_bytes()),
+            None => read_file(path),
+        };
+        let document = document.map_err(|finding| {
+            self.findings(&all_mistakes(*finding), 0);
+            unusable()
+        })?;
+        let checked = check_graph(&document, self.library);
+        self.findings(&checked.findings, checked.omitted);
+        let known = (checked.graph.ok_or_else(unusable)?, Arc::new(document));
+        self.graphs.insert(path.to_owned(), known.clone());
+        Ok(known)
+    }
+
+    fn findings(&mut self, findings: &[Finding], omitted: usize) {
+        (self.tell)(Told::Findings { findings, omitted });
+    }
+
+    fn note(&mut self, note: Note) {
+        (self.tell)(Told::Note(note));
+    }
+}
