@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use phenomenon_compiler::diagnostics::Severity;
 
-use super::Report;
+use super::shown::Report;
 
 /// One `::error …::message` a finding.
 pub fn text(report: &Report) -> String {

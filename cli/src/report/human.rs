@@ -8,8 +8,8 @@ use miette::{
 };
 use phenomenon_compiler::diagnostics::{Finding, Severity};
 
-use super::Report;
 use super::excerpt::Excerpt;
+use super::shown::Report;
 use crate::terminal::{self, Look, Stream};
 
 /// Writes findings to standard error, in colour on a terminal; nothing where there are none.

@@ -3,7 +3,7 @@
 use phenomenon_compiler::diagnostics::{Finding, Place};
 use serde_json::{Value, json};
 
-use super::Report;
+use super::shown::Report;
 
 /// `{"version":1,"findings":[…],"omitted":N}`.
 pub fn text(report: &Report) -> String {

@@ -3,7 +3,7 @@
 use phenomenon_compiler::diagnostics::{Explanation, Finding, Place, Severity};
 use serde_json::{Value, json};
 
-use super::Report;
+use super::shown::Report;
 
 /// One run of one tool, whose rules are all codes there are.
 pub fn text(report: &Report) -> String {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use phenomenon_compiler::diagnostics::is_deceptive;
 
-use super::Look;
+use super::look::Look;
 
 /// The text with what cannot be seen written as `\u{202e}`, as messages have it. Line breaks and tabs stay.
 pub fn shown<'t>(text: &'t str, look: &Look) -> Cow<'t, str> {

@@ -1,5 +1,6 @@
 //! `phenomenon bench`.
 
+mod command;
 mod contender;
 mod render;
 mod results;
@@ -7,30 +8,4 @@ mod shade;
 mod statistics;
 mod workloads;
 
-use clap::{Args, Subcommand};
-
-use crate::failure::{Failure, Outcome};
-
-/// Measure, each figure beside its baseline in the same run.
-#[derive(Debug, Args)]
-pub struct Arguments {
-    #[command(subcommand)]
-    question: Question,
-}
-
-#[derive(Debug, Subcommand)]
-enum Question {
-    Render(render::Arguments),
-    Shade(shade::Arguments),
-}
-
-/// Runs the command.
-///
-/// # Errors
-/// As the question says.
-pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    match &arguments.question {
-        Question::Render(arguments) => render::run(arguments),
-        Question::Shade(arguments) => shade::run(arguments),
-    }
-}
+pub use command::{Arguments, run};

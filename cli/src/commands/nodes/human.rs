@@ -5,8 +5,8 @@ use std::fmt::Write;
 use phenomenon_compiler::nodes::{DefaultValue, Input, Kind, Signature};
 use phenomenon_compiler::values::Type;
 
+use super::groups::{Group, first_sentence};
 use super::search::{Hit, Place};
-use super::{Group, first_sentence};
 
 /// Columns of running text.
 const WIDTH: usize = 96;

@@ -4,7 +4,7 @@ use phenomenon_compiler::nodes::{DefaultValue, Input, Kind, Output, Signature};
 use phenomenon_compiler::values::{Literal, Type};
 use serde_json::{Map, Value, json};
 
-use super::Group;
+use super::groups::Group;
 use super::search::Hit;
 use crate::numbers::number;
 
