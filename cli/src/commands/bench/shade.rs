@@ -34,12 +34,13 @@ pub struct Arguments {
 }
 
 const NOTES: &str = "\
-A workload is a graph that asks nothing of a renderer, shaded at 1024 points in calls of 1, 16 and 256.
-The monolith is the same by hand: scalar Rust with the functions of its standard library. What is
-measured is CPU time of one thread, after everything is compiled and has run once. Engines take turns of
-some 10 ms, so that a slow minute of the machine touches all of them. Ratios are medians of the ratios
-of one turn, at the same number of points a call. \"spread\" is the distance between the quartiles of all
-turns, over their median.";
+A workload is a graph that asks nothing of a renderer, shaded at 1024 points in calls of 1, 16 and
+256. The monolith is the same by hand: scalar Rust with the functions of its standard library.
+
+What is measured is CPU time of one thread, after everything is compiled and has run once. Engines
+take turns of some 10 ms, so that a slow minute of the machine touches all of them. Ratios are medians
+of the ratios of one turn, at the same number of points a call. \"spread\" is the distance between the
+quartiles of all turns, over their median.";
 
 /// Points of one call.
 const BATCHES: [usize; 3] = [1, 16, 256];

@@ -1,22 +1,22 @@
 //! `branchy.json` by hand.
 
-use glam::{Vec3, Vec4};
+use glam::{Vec3A, Vec4};
 use phenomenon_compiler::state::State;
 
 use super::blending::hue;
 
 /// One side of a choice.
 struct Side {
-    shift: Vec3,
-    frequencies: Vec3,
+    shift: Vec3A,
+    frequencies: Vec3A,
     exponents: [f32; 2],
     saturation: f32,
     weight: f32,
 }
 
 const fn side(
-    shift: Vec3,
-    frequencies: Vec3,
+    shift: Vec3A,
+    frequencies: Vec3A,
     exponents: [f32; 2],
     saturation: f32,
     weight: f32,
@@ -25,57 +25,57 @@ const fn side(
 }
 
 static LEFT: Side = side(
-    Vec3::new(-0.29, 0.396, -0.601),
-    Vec3::new(2.817, -1.778, 1.575),
+    Vec3A::new(-0.29, 0.396, -0.601),
+    Vec3A::new(2.817, -1.778, 1.575),
     [1.482, 0.718],
     0.63,
     0.644,
 );
 static RIGHT: Side = side(
-    Vec3::new(-0.286, 0.794, -0.693),
-    Vec3::new(-1.478, -1.904, 3.471),
+    Vec3A::new(-0.286, 0.794, -0.693),
+    Vec3A::new(-1.478, -1.904, 3.471),
     [1.345, 1.103],
     0.731,
     0.586,
 );
 static INNER: Side = side(
-    Vec3::new(0.837, 0.683, -0.871),
-    Vec3::new(-3.637, 1.108, 1.651),
+    Vec3A::new(0.837, 0.683, -0.871),
+    Vec3A::new(-3.637, 1.108, 1.651),
     [1.958, 0.737],
     0.813,
     0.633,
 );
 static OUTER: Side = side(
-    Vec3::new(0.559, 0.567, -0.646),
-    Vec3::new(-3.569, 3.096, -3.894),
+    Vec3A::new(0.559, 0.567, -0.646),
+    Vec3A::new(-3.569, 3.096, -3.894),
     [1.828, 1.065],
     0.427,
     0.529,
 );
 static EVEN: Side = side(
-    Vec3::new(-0.328, 0.486, -0.171),
-    Vec3::new(-2.231, 1.06, -3.306),
+    Vec3A::new(-0.328, 0.486, -0.171),
+    Vec3A::new(-2.231, 1.06, -3.306),
     [0.488, 0.436],
     0.669,
     0.587,
 );
 static ODD: Side = side(
-    Vec3::new(0.365, -0.504, -0.348),
-    Vec3::new(-1.324, 3.847, 1.875),
+    Vec3A::new(0.365, -0.504, -0.348),
+    Vec3A::new(-1.324, 3.847, 1.875),
     [0.712, 1.094],
     0.325,
     0.426,
 );
 static LOWER: Side = side(
-    Vec3::new(0.867, 0.401, -0.615),
-    Vec3::new(2.86, -2.294, 3.809),
+    Vec3A::new(0.867, 0.401, -0.615),
+    Vec3A::new(2.86, -2.294, 3.809),
     [2.356, 0.839],
     0.613,
     0.305,
 );
 static UPPER: Side = side(
-    Vec3::new(0.432, -0.116, 0.148),
-    Vec3::new(2.399, 2.827, -3.214),
+    Vec3A::new(0.432, -0.116, 0.148),
+    Vec3A::new(2.399, 2.827, -3.214),
     [1.579, 0.417],
     0.873,
     0.448,
@@ -83,9 +83,10 @@ static UPPER: Side = side(
 
 impl Side {
     fn over(&self, color: Vec4, point: &State) -> Vec4 {
-        let swirl = Vec3::from(point.point) + self.shift;
+        let swirl = Vec3A::from(point.point) + self.shift;
         let depth = swirl.length();
-        let wave = swirl.normalize_or_zero().dot(self.frequencies).sin();
+        let along = if depth == 0.0 { 0.0 } else { swirl.dot(self.frequencies) / depth };
+        let wave = along.sin();
         let tone = wave.exp().powf(self.exponents[0]);
         let grain = (tone / depth.exp()).powf(self.exponents[1]);
         let lit = hue(wave, self.saturation, tone) * grain;
@@ -104,5 +105,5 @@ pub fn shade(point: &State) -> Vec4 {
     ];
     let start = Vec4::from(point.incoming);
     let color = choices.iter().fold(start, |color, side| side.over(color, point));
-    (color.truncate() * 0.8).extend(color.w)
+    (color * 0.8).with_w(color.w)
 }
