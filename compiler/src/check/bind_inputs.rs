@@ -1,7 +1,7 @@
 //! Binding every input and root to its source, with the types checked.
 
 use crate::diagnostics::synonyms;
-use crate::diagnostics::{Code, Finding, nearest, shortened};
+use crate::diagnostics::{Code, Finding, is_near, shortened};
 use crate::document::{Member, Reader, ValueKind};
 use crate::graph::{Binding, Node, Root};
 use crate::nodes::{DefaultValue, Input, Kind, NodeType, Signature};
@@ -10,6 +10,7 @@ use crate::values::{Literal, Type};
 use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
 use super::limits::MAX_NODES;
 use super::literals::Room;
+use super::type_names::with_article;
 use super::types::{Types, overload};
 use super::{lists, literals, mismatch, references};
 
@@ -245,7 +246,7 @@ fn missing_inputs(
         let required = matches!(input.default, DefaultValue::Required) && !given[at];
         let meant = |given: &DraftInput<'_>| {
             given.input.is_none()
-                && (nearest(&given.member.key, [input.name]).is_some()
+                && (is_near(&given.member.key, input.name)
                     || synonyms::input(&given.member.key, |name| name == input.name).is_some())
         };
         // What stands beside `type` was told to be a level too high.
@@ -256,11 +257,8 @@ fn missing_inputs(
         let name = shortened(draft.name(node));
         let message =
             format!("node `{name}` ({}) needs its input `{}`", signature.name, input.name);
-        let help = format!(
-            "add `\"{}\"` to its `inputs`: {}",
-            input.name,
-            literals::with_article(input.value_type)
-        );
+        let help =
+            format!("add `\"{}\"` to its `inputs`: {}", input.name, with_article(input.value_type));
         let place = reader.document.place_of_key(drafted.member);
         reader.findings.push(Finding::new(Code::MISSING_INPUT, place, message, help));
     }
@@ -279,19 +277,7 @@ fn bind_source<'d>(
     let binding = match source.kind {
         SourceKind::Broken => return None,
         SourceKind::Compound(at) => {
-            let (name, shape) = &draft.compounds[at];
-            let message = format!(
-                "{} takes {}, but parameter `{}` is {}",
-                what(),
-                literals::with_article(to),
-                shortened(name),
-                shape.describe()
-            );
-            let help = match shape.parts(name).into_iter().find(|(_, of)| of.converts_to(to)) {
-                Some((part, _)) => format!("name a part of it, such as `{}`", shortened(&part)),
-                None => format!("connect {} instead", literals::with_article(to)),
-            };
-            reader.report(Code::TYPE_MISMATCH, source.value, message, help);
+            mismatch::compound(reader, source.value, &draft.compounds[at], to, what);
             return None;
         }
         SourceKind::Literal if references::report(reader, draft, source.value, Some(to), what) => {
@@ -310,7 +296,7 @@ fn bind_source<'d>(
         && from != Type::Shader
         && matches!(source.kind, SourceKind::Parameter(_));
     if !from.converts_to(to) || unmade {
-        mismatch::report(reader, draft, source, (from, to), what);
+        mismatch::connection(reader, draft, source, (from, to), what);
         return None;
     }
     Some(binding)

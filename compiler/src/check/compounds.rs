@@ -5,14 +5,14 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostics::{Code, Finding, listed, nearest, shortened};
+use crate::diagnostics::{Code, Finding, listed, shortened};
 use crate::document::{Member, Reader, Value, ValueKind};
 
 use super::draft::{Draft, Source, SourceKind};
 use super::limits::MAX_NODES;
-use super::literals::with_article;
 use super::shape::{Shape, element_name, member_name, struct_literal};
-use super::sources;
+use super::type_names::with_article;
+use super::{mismatch, sources};
 
 /// Takes what is given for `shape` apart: one source for each part that is given, by name. Parts of a
 /// struct may be left out.
@@ -141,21 +141,17 @@ impl<'d> Spread<'_, 'd> {
 
 /// Reports a member the struct does not have.
 pub(super) fn unknown_member(reader: &mut Reader<'_>, member: &Member, names: &[&str]) {
-    let near = nearest(&member.key, names.iter().copied());
-    let help = match near {
-        Some(near) => near.help(),
-        None => format!("its members are {}", listed(names.iter().copied())),
-    };
+    let advice = reader.advice(&member.key, names.iter().copied(), None, || {
+        format!("its members are {}", listed(names.iter().copied()))
+    });
     let message = format!("the struct has no member `{}`", shortened(&member.key));
     let place = reader.document.place_of_key(member);
-    let mut finding = Finding::new(Code::UNKNOWN_MEMBER, place, message, help);
-    finding.fix = near.and_then(|near| near.fix());
-    reader.findings.push(finding);
+    reader.findings.push(Finding::misspelt(Code::UNKNOWN_MEMBER, place, message, advice));
 }
 
 fn mismatch(reader: &mut Reader<'_>, value: &Value, shape: &Shape, what: &str, given: &str) {
-    let message = format!("{what} takes {}, not {given}", shape.describe());
-    reader.report(Code::TYPE_MISMATCH, value, message, shape.form());
+    let given = format!("not {given}");
+    mismatch::report(reader, value, (what, &shape.describe(), &given), shape.form());
 }
 
 /// What is given for the list of a node: one source for each value.

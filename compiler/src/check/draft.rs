@@ -4,7 +4,6 @@ use std::cell::Cell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use crate::diagnostics::{Suggestion, nearest};
 use crate::document::{Member, Value};
 use crate::graph::{Parameter, RootKind};
 use crate::nodes::{NodeLibrary, NodeType};
@@ -36,7 +35,6 @@ pub(super) struct Draft<'d> {
     pub compounds: Vec<(String, Shape)>,
     pub compound_names: HashMap<String, usize>,
     pub node_names: HashMap<&'d str, usize>,
-    pub suggestions: Suggestions,
     /// Whether something was left out that may have held connections: a second `nodes`, a root of
     /// unknown type.
     pub unresolved: Cell<bool>,
@@ -124,7 +122,6 @@ impl<'d> Draft<'d> {
             compounds: Vec::new(),
             compound_names: HashMap::new(),
             node_names: HashMap::new(),
-            suggestions: Suggestions::default(),
             unresolved: Cell::new(unresolved),
         }
     }
@@ -140,30 +137,5 @@ impl<'d> Draft<'d> {
             SourceKind::Node(source, _) => Some((source, input)),
             _ => None,
         })
-    }
-}
-
-/// Suggestions for misspelt names, bounded: comparing every wrong name with every right one takes
-/// time in the square of the file.
-pub(super) struct Suggestions {
-    comparisons_left: Cell<usize>,
-}
-
-impl Default for Suggestions {
-    fn default() -> Self {
-        Self { comparisons_left: Cell::new(1_000_000) }
-    }
-}
-
-impl Suggestions {
-    /// The nearest of `names`, none where the file used its share of comparisons up.
-    pub fn nearest<'a>(
-        &self,
-        wrong: &str,
-        names: impl ExactSizeIterator<Item = &'a str>,
-    ) -> Option<Suggestion<'a>> {
-        let left = self.comparisons_left.get().checked_sub(names.len())?;
-        self.comparisons_left.set(left);
-        nearest(wrong, names)
     }
 }

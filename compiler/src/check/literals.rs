@@ -7,6 +7,9 @@ use crate::document::{Reader, Value, ValueKind, numbers};
 use crate::graph::bind::is_affine;
 use crate::values::{Literal, Space, Texture, Type};
 
+use super::mismatch;
+use super::type_names::with_article;
+
 /// The type a literal has by itself: a number is a scalar, a list of three or four a color. None
 /// for what can only suit one type of place.
 pub(super) fn natural_type(value: &Value) -> Option<Type> {
@@ -56,11 +59,10 @@ pub(super) fn read<'d>(
                 && room != Room::Literal
                 && elements.iter().any(|element| matches!(element.kind, ValueKind::Object(_))) =>
         {
-            let message =
-                format!("{} takes {}, not a list of connections", what(), with_article(to));
             let help = "lists are of numbers; compute components with a `combine_color` or \
                         `combine_vector` node and connect that";
-            reader.report(Code::TYPE_MISMATCH, value, message, help);
+            let (what, takes) = (what(), with_article(to));
+            mismatch::report(reader, value, (&what, &takes, "not a list of connections"), help);
             None
         }
         (Type::Boolean, ValueKind::Boolean(value)) => Some(Literal::Boolean(*value)),
@@ -83,7 +85,7 @@ pub(super) fn read<'d>(
             components(reader, elements, &mut vector, what).then_some(Literal::Vector(vector))
         }
         _ => {
-            mismatch(reader, value, to, room, what);
+            mismatch::literal(reader, value, to, room != Room::Literal, what);
             None
         }
     }
@@ -169,58 +171,4 @@ fn transform<'d>(
         return None;
     }
     Some(Literal::Transform(rows))
-}
-
-fn mismatch(
-    reader: &mut Reader<'_>,
-    value: &Value,
-    to: Type,
-    room: Room,
-    what: &dyn Fn() -> String,
-) {
-    let (given, remedy) = if value.get("texture").is_some() {
-        ("a texture".into(), Some("give it to a `texture_lookup` node, and connect that"))
-    } else if value.get("light").is_some() {
-        ("a light".into(), Some("give it to the input `lights` of a `light_loop`"))
-    } else {
-        (value.describe(), None)
-    };
-    let message = format!("{} takes {}, not {given}", what(), with_article(to));
-    if let Some(remedy) = remedy.filter(|_| room != Room::Literal) {
-        return reader.report(Code::TYPE_MISMATCH, value, message, remedy);
-    }
-    let form = match to {
-        Type::Boolean => "write `true` or `false`",
-        Type::Integer => "write a whole number",
-        Type::Scalar => "write a number",
-        Type::Color => "write `[r, g, b]`, `[r, g, b, a]`, or one number for grey",
-        Type::Vector => "write `[x, y, z]`",
-        Type::Transform => "write sixteen numbers, row by row: `[1, 0, 0, 0, …, 0, 0, 0, 1]`",
-        Type::String => "write a text between double quotes",
-        Type::Texture => "write `{ \"texture\": \"file.png\" }`, or `null` for none",
-        Type::Light => "write `{ \"light\": \"key\" }`",
-        Type::Shader if room == Room::Literal => "write `null`: only a graph connects shaders",
-        Type::Shader => "connect a node, or write `null` for none",
-        Type::Lights => "write a list such as `[{ \"light\": \"key\" }]`",
-        Type::Generic => "write a number, `[x, y, z]` or `[r, g, b, a]`",
-    };
-    let help = match &value.kind {
-        ValueKind::String(_) if to != Type::Shader && room != Room::Literal => {
-            format!(
-                "{form}, or a connection: `{{ \"node\": \"name\" }}` or `{{ \"interface\": \"name\" }}`"
-            )
-        }
-        _ => form.to_owned(),
-    };
-    reader.report(Code::TYPE_MISMATCH, value, message, help);
-}
-
-/// A type's name with its article.
-pub(super) fn with_article(value_type: Type) -> String {
-    match value_type {
-        Type::Integer => "an integer".into(),
-        Type::Lights => "a list of lights".into(),
-        Type::Generic => "a scalar, vector or color".into(),
-        other => format!("a {}", other.name()),
-    }
 }

@@ -1,15 +1,94 @@
-//! Type mismatches, with the node that converts.
+//! Type mismatches, with how a value is written or which node converts.
 
-use crate::diagnostics::{Code, Finding, shortened};
-use crate::document::Reader;
+use crate::diagnostics::{Advice, Code, Finding, shortened};
+use crate::document::{Reader, Value, ValueKind};
 use crate::nodes::{DefaultValue, Kind, NodeLibrary, Signature};
 use crate::values::Type;
 
 use super::draft::{Draft, Source, SourceKind};
-use super::literals::with_article;
+use super::shape::Shape;
+use super::type_names::{form, with_article};
+
+/// Reports that a place takes one thing and is given another, in three pieces: "input `a` of node
+/// `n`", "a color", "not a text".
+pub(super) fn report(
+    reader: &mut Reader<'_>,
+    value: &Value,
+    texts: (&str, &str, &str),
+    help: impl Into<String>,
+) {
+    let finding = mismatch(reader, value, texts, help);
+    reader.findings.push(finding);
+}
+
+fn mismatch(
+    reader: &Reader<'_>,
+    value: &Value,
+    (what, takes, given): (&str, &str, &str),
+    help: impl Into<String>,
+) -> Finding {
+    let message = format!("{what} takes {takes}, {given}");
+    Finding::new(Code::TYPE_MISMATCH, reader.document.place(value), message, help)
+}
+
+/// Reports a literal that is none of a type; where a connection may stand too, it is told of.
+pub(super) fn literal(
+    reader: &mut Reader<'_>,
+    value: &Value,
+    to: Type,
+    connects: bool,
+    what: &dyn Fn() -> String,
+) {
+    let (given, remedy) = if value.get("texture").is_some() {
+        ("a texture".into(), Some("give it to a `texture_lookup` node, and connect that"))
+    } else if value.get("light").is_some() {
+        ("a light".into(), Some("give it to the input `lights` of a `light_loop`"))
+    } else {
+        (value.describe(), None)
+    };
+    let help = match (remedy, &value.kind) {
+        (Some(remedy), _) if connects => remedy.to_owned(),
+        (_, ValueKind::String(_)) if to != Type::Shader && connects => format!(
+            "{}, or a connection: `{{ \"node\": \"name\" }}` or `{{ \"interface\": \"name\" }}`",
+            form(to, connects)
+        ),
+        _ => form(to, connects).to_owned(),
+    };
+    report(reader, value, (&what(), &with_article(to), &format!("not {given}")), help);
+}
+
+/// Reports a text that is written like a reference, or like a number.
+pub(super) fn text(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    value: &Value,
+    (what, takes): (&str, &str),
+    (advice, parameter): (Advice, Option<usize>),
+) {
+    let given = format!("not {}", value.describe());
+    let mut finding = mismatch(reader, value, (what, takes, &given), advice.help);
+    finding.fix = advice.fix;
+    reader.findings.push(declared(finding, reader, draft, parameter));
+}
+
+/// The same with the declaration of the parameter that is given.
+fn declared(
+    finding: Finding,
+    reader: &Reader<'_>,
+    draft: &Draft<'_>,
+    parameter: Option<usize>,
+) -> Finding {
+    match parameter {
+        Some(at) => {
+            let place = reader.document.place_of_key(draft.parameters[at].member);
+            finding.with_related(place, "declared here")
+        }
+        None => finding,
+    }
+}
 
 /// Reports a connection from one type to another that no implicit conversion joins.
-pub(super) fn report(
+pub(super) fn connection(
     reader: &mut Reader<'_>,
     draft: &Draft<'_>,
     source: &Source<'_>,
@@ -17,16 +96,32 @@ pub(super) fn report(
     what: &dyn Fn() -> String,
 ) {
     let (whole, part) = describe(draft, source);
-    let message =
-        format!("{} takes {}, but {whole} is {}", what(), with_article(to), with_article(from));
+    let given = format!("but {whole} is {}", with_article(from));
     let help = help(draft.node_types.library, from, to, &part);
-    let mut finding =
-        Finding::new(Code::TYPE_MISMATCH, reader.document.place(source.value), message, help);
-    if let SourceKind::Parameter(parameter) = source.kind {
-        let member = draft.parameters[parameter].member;
-        finding = finding.with_related(reader.document.place_of_key(member), "declared here");
-    }
-    reader.findings.push(finding);
+    let texts = (&*what(), &*with_article(to), &*given);
+    let finding = mismatch(reader, source.value, texts, help);
+    let parameter = match source.kind {
+        SourceKind::Parameter(parameter) => Some(parameter),
+        _ => None,
+    };
+    reader.findings.push(declared(finding, reader, draft, parameter));
+}
+
+/// Reports an array or a struct where one value is due.
+pub(super) fn compound(
+    reader: &mut Reader<'_>,
+    value: &Value,
+    (name, shape): &(String, Shape),
+    to: Type,
+    what: &dyn Fn() -> String,
+) {
+    let takes = with_article(to);
+    let given = format!("but parameter `{}` is {}", shortened(name), shape.describe());
+    let help = match shape.parts(name).into_iter().find(|(_, of)| of.converts_to(to)) {
+        Some((part, _)) => format!("name a part of it, such as `{}`", shortened(&part)),
+        None => format!("connect {takes} instead"),
+    };
+    report(reader, value, (&what(), &takes, &given), help);
 }
 
 /// What the source is, and how it is written in a path.

@@ -45,6 +45,7 @@ mod shape;
 mod sources;
 mod stations;
 mod textures;
+mod type_names;
 mod types;
 mod used_phenomena;
 

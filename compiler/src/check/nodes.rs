@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::diagnostics::synonyms::{self, Synonym};
-use crate::diagnostics::{Code, Finding, advice, listed, listed_or, nearest, shortened};
+use crate::diagnostics::{Advice, Code, Finding, is_near, listed, listed_or, shortened};
 use crate::document::{Member, Reader, Value, ValueKind};
 use crate::nodes::{NodeType, Signature};
 
@@ -102,7 +102,7 @@ fn unknown_keys<'d>(
                     && synonyms::key(key, |ours| NODE.contains(&ours)).is_none()
         }
         // Of a type that is not known nothing but inputs can be meant.
-        None => inputs.is_none() && nearest(&member.key, NODE).is_none(),
+        None => inputs.is_none() && !NODE.iter().any(|key| is_near(&member.key, key)),
     };
     let (misplaced, others): (Vec<&Member>, Vec<&Member>) =
         unknown.into_iter().partition(|member| is_input(member));
@@ -163,16 +163,16 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
     if found.is_none() {
         let names: Vec<&str> =
             draft.node_types.signatures().map(|signature| signature.name).collect();
-        let near = draft.suggestions.nearest(name, names.iter().copied());
         // A library of another crate may lack what the tables name.
         let synonym = synonyms::node(name).filter(|found| {
             found.ours.iter().all(|ours| draft.node_types.library.find(ours).is_some())
         });
-        let (help, fix) = advice(synonym, near, || "`phenomenon nodes` lists every type".into());
+        let advice = reader.advice(name, names.iter().copied(), synonym, || {
+            "`phenomenon nodes` lists every type".into()
+        });
         let message = format!("there is no node type `{}`", shortened(name));
         let place = reader.document.place(value);
-        let finding = Finding::new(Code::UNKNOWN_NODE_TYPE, place, message, help);
-        reader.findings.push(Finding { fix, ..finding });
+        reader.findings.push(Finding::misspelt(Code::UNKNOWN_NODE_TYPE, place, message, advice));
     }
     found
 }
@@ -222,30 +222,30 @@ fn unknown_input(
     member: &Member,
 ) {
     let names = || signature.inputs.iter().map(|input| input.name);
-    let near = draft.suggestions.nearest(&member.key, names());
+    let near = reader.suggestions.nearest(&member.key, names());
     // What is given already is not meant once more.
     let is_given = |name: &str| signature.input(name).is_some_and(|at| given[at]);
     let is_free = |name: &str| signature.input(name).is_some() && !is_given(name);
-    let (help, fix) = match synonyms::input(&member.key, is_free) {
+    let mut advice = match synonyms::input(&member.key, is_free) {
         // Whose `in1` is whose `fg`: the order of a mix is what others differ in.
         Some(Synonym { ours, .. }) if signature.name == "mix" && ours != ["weight"] => {
-            let help = format!(
-                "did you mean {}? `a` is the background, there at `weight` 0, and `b` the foreground",
-                listed_or(ours)
-            );
-            (help, None)
+            let ours = listed_or(ours);
+            Advice::from(format!(
+                "did you mean {ours}? `a` is the background, there at `weight` 0, and `b` the foreground"
+            ))
         }
-        synonym => advice(synonym, near, || match signature.inputs.is_empty() {
+        synonym => Advice::of(synonym, near, || match signature.inputs.is_empty() {
             true => "it has no inputs".into(),
             false => format!("its inputs are {}", listed(names())),
         }),
     };
-    let fix = fix.filter(|_| near.is_none_or(|near| !is_given(near.name)));
+    if near.is_some_and(|near| is_given(near.name)) {
+        advice.fix = None;
+    }
     let place = reader.document.place_of_key(member);
     let (name, kind) = (shortened(draft.name(node)), signature.name);
     let message = format!("node `{name}` ({kind}) has no input `{}`", shortened(&member.key));
-    let finding = Finding::new(Code::UNKNOWN_INPUT, place, message, help);
-    reader.findings.push(Finding { fix, ..finding });
+    reader.findings.push(Finding::misspelt(Code::UNKNOWN_INPUT, place, message, advice));
 }
 
 fn read_inputs<'d>(

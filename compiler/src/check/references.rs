@@ -2,12 +2,13 @@
 //! followed, but it can be said how they are written here.
 
 use crate::diagnostics::synonyms;
-use crate::diagnostics::{Code, Finding, shortened};
+use crate::diagnostics::{Advice, shortened};
 use crate::document::{Reader, Value, ValueKind};
 use crate::values::Type;
 
 use super::draft::Draft;
-use super::literals::with_article;
+use super::mismatch;
+use super::type_names::with_article;
 
 /// Longest text that is taken for a reference.
 const LONGEST: usize = 512;
@@ -204,22 +205,15 @@ pub(super) fn report(
     if to == Some(Type::String) {
         return false;
     }
-    let Some((help, fix, parameter)) = remedy(draft, text, to) else { return false };
+    let Some((help, fix, parameter)) = remedy(reader, draft, text, to) else { return false };
     let takes = to.map_or_else(|| "one of its words".to_owned(), with_article);
-    let message = format!("{} takes {takes}, not {}", what(), value.describe());
-    let place = reader.document.place(value);
-    let mut finding = Finding::new(Code::TYPE_MISMATCH, place, message, help);
-    finding.fix = fix;
-    if let Some(parameter) = parameter {
-        let member = draft.parameters[parameter].member;
-        finding = finding.with_related(reader.document.place_of_key(member), "declared here");
-    }
-    reader.findings.push(finding);
+    mismatch::text(reader, draft, value, (&what(), &takes), (Advice { help, fix }, parameter));
     true
 }
 
 /// The help, what surely mends it, and the parameter that is meant.
 fn remedy(
+    reader: &Reader<'_>,
     draft: &Draft<'_>,
     text: &str,
     to: Option<Type>,
@@ -247,9 +241,9 @@ fn remedy(
     }
     // The name of a node or a parameter, misspelt.
     let names = draft.nodes.iter().map(|node| node.member.key.as_str());
-    let node = draft.suggestions.nearest(bare, names);
+    let node = reader.suggestions.nearest(bare, names);
     let names = draft.parameters.iter().map(|parameter| parameter.name.as_str());
-    let parameter = draft.suggestions.nearest(bare, names);
+    let parameter = reader.suggestions.nearest(bare, names);
     let form = match (node, parameter) {
         (Some(node), None) => format!("\"node\": \"{}\"", shortened(node.name)),
         (None, Some(parameter)) => format!("\"interface\": \"{}\"", shortened(parameter.name)),

@@ -1,7 +1,7 @@
 //! Reading `roots`: what a phenomenon is called for.
 
 use crate::diagnostics::synonyms;
-use crate::diagnostics::{Code, Finding, advice, listed, nearest, shortened};
+use crate::diagnostics::{Code, Finding, is_near, listed, shortened};
 use crate::document::{Member, Reader, Value, ValueKind};
 use crate::graph::RootKind;
 
@@ -20,7 +20,7 @@ pub(super) fn read<'d>(
     let Some(value) = value else {
         // A misspelt `roots` was reported as the unknown key it is.
         let misspelt = graph.members().iter().any(|member| {
-            nearest(&member.key, ["roots"]).is_some()
+            is_near(&member.key, "roots")
                 || synonyms::key(&member.key, |ours| ours == "roots").is_some()
                     && !PHENOMENON.contains(&member.key.as_str())
         });
@@ -55,14 +55,12 @@ fn no_root(reader: &mut Reader<'_>, at: usize) {
 
 fn unknown_root(reader: &mut Reader<'_>, member: &Member) {
     let names = RootKind::ALL.map(RootKind::name);
-    let near = nearest(&member.key, names);
-    let (help, fix) = advice(synonyms::root(&member.key), near, || {
+    let advice = reader.advice(&member.key, names.into_iter(), synonyms::root(&member.key), || {
         format!("the shader types are {}", listed(names))
     });
     let message = format!("there is no shader type `{}`", shortened(&member.key));
     let place = reader.document.place_of_key(member);
-    let finding = Finding::new(Code::UNKNOWN_ROOT, place, message, help);
-    reader.findings.push(Finding { fix, ..finding });
+    reader.findings.push(Finding::misspelt(Code::UNKNOWN_ROOT, place, message, advice));
 }
 
 /// A root's shaders and ok: either alone, or as an object of both. A list of connections is a chain of

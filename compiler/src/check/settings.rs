@@ -3,7 +3,7 @@
 
 use std::collections::HashSet;
 
-use crate::diagnostics::{Code, Finding, Place, nearest, shortened};
+use crate::diagnostics::{Advice, Code, Finding, Place, nearest, shortened};
 use crate::document::{Document, Member, Reader, Value, ValueKind, read};
 use crate::graph::parts::{Part, Parts};
 use crate::graph::{BindError, Graph};
@@ -84,7 +84,7 @@ pub fn bind_settings(
         let before = values.len();
         // Keys that stand twice were told of when the file was read.
         let document = &setting.document;
-        let mut reader = Reader { document, findings: Default::default(), files: Vec::new() };
+        let mut reader = Reader::of_part(document);
         match parts.get(&setting.name) {
             Some(_) => {
                 let mut spread = Spread { graph, parts: &parts, values: &mut values };
@@ -158,12 +158,10 @@ fn unknown(graph: &Graph, parts: &Parts<'_>, setting: &Setting, is_advised: bool
         let help = "so many are unknown that it may be another graph's; leave it out";
         return Finding::new(Code::UNKNOWN_PARAMETER, setting.key.clone(), message, help);
     }
-    let mut finding =
-        Finding::new(Code::UNKNOWN_PARAMETER, setting.key.clone(), message, parts.remedy(name));
-    finding.fix = nearest(name, parts.names())
-        .filter(|near| finding.help == near.help())
-        .and_then(|near| near.fix());
-    finding
+    let help = parts.remedy(name);
+    let near = nearest(name, parts.names()).filter(|near| help == near.help());
+    let advice = near.map_or_else(|| help.clone().into(), Advice::from);
+    Finding::misspelt(Code::UNKNOWN_PARAMETER, setting.key.clone(), message, advice)
 }
 
 /// Reads values for a parameter and its parts.

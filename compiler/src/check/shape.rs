@@ -6,7 +6,7 @@ use crate::diagnostics::listed;
 use crate::document::Value;
 use crate::values::Type;
 
-use super::literals::with_article;
+use super::type_names::with_article;
 
 /// What a parameter consists of.
 #[derive(Clone, Debug, PartialEq)]

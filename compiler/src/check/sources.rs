@@ -1,7 +1,7 @@
 //! Reading what an input or a root is given: a literal, an interface parameter, a connection.
 
 use crate::diagnostics::synonyms;
-use crate::diagnostics::{Code, Finding, advice, listed, nearest, shortened};
+use crate::diagnostics::{Advice, Code, Finding, is_near, listed, shortened};
 use crate::document::{Reader, Value, ValueKind};
 
 use super::draft::{Draft, Source, SourceKind};
@@ -39,7 +39,8 @@ fn no_connection(reader: &mut Reader<'_>, value: &Value) {
         return;
     }
     let keys = ["node", "output", "interface", "texture", "light", "struct"];
-    let misspelt = value.members().iter().find(|member| nearest(&member.key, keys).is_some());
+    let misspelt =
+        value.members().iter().find(|member| keys.iter().any(|key| is_near(&member.key, key)));
     match misspelt.or(value.members().first()) {
         Some(member) => reader.unknown_key(member, "a connection", &keys[..3]),
         None => reader.report(Code::WRONG_KIND, value, "an empty object connects nothing", HELP),
@@ -84,12 +85,11 @@ fn unknown_output(
     let Some(node_type) = draft.nodes[node].node_type else { return };
     let signature = draft.node_types.signature(node_type);
     let names = || signature.outputs.iter().map(|output| output.name);
-    let (help, fix) = match references::part_of_output(draft, node, output) {
-        Some(help) => (help, None),
+    let advice = match references::part_of_output(draft, node, output) {
+        Some(help) => help.into(),
         None => {
-            let near = draft.suggestions.nearest(output, names());
             let has = |name: &str| signature.output(name).is_some();
-            advice(synonyms::output(output, has), near, || {
+            reader.advice(output, names(), synonyms::output(output, has), || {
                 format!("its outputs are {}", listed(names()))
             })
         }
@@ -100,8 +100,8 @@ fn unknown_output(
         signature.name,
         shortened(output)
     );
-    let finding = Finding::new(Code::UNKNOWN_OUTPUT, reader.document.place(given), message, help);
-    reader.findings.push(Finding { fix, ..finding });
+    let place = reader.document.place(given);
+    reader.findings.push(Finding::misspelt(Code::UNKNOWN_OUTPUT, place, message, advice));
 }
 
 /// Reports a connection to a node that does not exist; `lone` is one without `output`.
@@ -111,26 +111,19 @@ fn unknown_node(
     (name, lone): (&str, bool),
     draft: &Draft<'_>,
 ) {
-    let near = || {
-        let names = draft.nodes.iter().map(|node| node.member.key.as_str());
-        draft.suggestions.nearest(name, names)
-    };
-    let (help, fix) = match references::meant(draft, name) {
-        Some(meant) => {
-            let fix = meant.members.filter(|_| lone);
-            (meant.help, fix)
-        }
-        None => match near() {
-            Some(near) => (near.help(), near.fix()),
-            None => {
+    let advice = match references::meant(draft, name) {
+        Some(meant) => Advice { help: meant.help, fix: meant.members.filter(|_| lone) },
+        None => {
+            let names = draft.nodes.iter().map(|node| node.member.key.as_str());
+            reader.advice(name, names, None, || {
                 let name = shortened(name);
-                (format!("add a node `{name}` to `nodes`, or connect another"), None)
-            }
-        },
+                format!("add a node `{name}` to `nodes`, or connect another")
+            })
+        }
     };
     let message = format!("there is no node `{}`", shortened(name));
-    let finding = Finding::new(Code::UNKNOWN_NODE, reader.document.place(value), message, help);
-    reader.findings.push(Finding { fix, ..finding });
+    let place = reader.document.place(value);
+    reader.findings.push(Finding::misspelt(Code::UNKNOWN_NODE, place, message, advice));
 }
 
 fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> SourceKind {
@@ -164,33 +157,34 @@ fn unknown_parameter(reader: &mut Reader<'_>, draft: &Draft<'_>, given: &Value, 
     // One number is as near as another, so an index is no misspelling.
     let near = match name.contains('[') {
         true => None,
-        false => draft
-            .suggestions
-            .nearest(name, names())
-            .or_else(|| draft.suggestions.nearest(name, wholes())),
+        false => {
+            let suggestions = &reader.suggestions;
+            suggestions.nearest(name, names()).or_else(|| suggestions.nearest(name, wholes()))
+        }
     };
     let part = references::part_of_parameter(draft, name);
     let near = near.filter(|_| part.is_none());
-    let help = match (part, near) {
-        (Some(help), _) => help,
-        (None, Some(near)) => near.help(),
+    let advice: Advice = match (part, near) {
+        (Some(help), _) => help.into(),
+        (None, Some(near)) => near.into(),
         (None, None) if draft.compound_names.contains_key(whole) => {
             let of_whole = |part: &str| {
                 part.strip_prefix(whole).is_some_and(|rest| rest.starts_with(['.', '[']))
             };
             let parts = names().filter(|part| of_whole(part));
-            format!("its parts are {}", listed(parts))
+            format!("its parts are {}", listed(parts)).into()
         }
         _ if draft.node_names.contains_key(name) => {
-            format!("for the node write `{{ \"node\": \"{name}\" }}`")
+            format!("for the node write `{{ \"node\": \"{name}\" }}`").into()
         }
         _ if draft.parameters.is_empty() => {
+            let name = shortened(name);
             format!(
-                "declare it: `\"interface\": {{ \"{}\": {{ \"type\": …, \"default\": … }} }}`",
-                shortened(name)
+                "declare it: `\"interface\": {{ \"{name}\": {{ \"type\": …, \"default\": … }} }}`"
             )
+            .into()
         }
-        _ => format!("its parameters are {}", listed(names())),
+        _ => format!("its parameters are {}", listed(names())).into(),
     };
     let message = match draft.compound_names.get(whole) {
         Some(&at) if whole != name => format!(
@@ -202,7 +196,5 @@ fn unknown_parameter(reader: &mut Reader<'_>, draft: &Draft<'_>, given: &Value, 
         _ => format!("the interface has no parameter `{}`", shortened(name)),
     };
     let place = reader.document.place(given);
-    let mut finding = Finding::new(Code::UNKNOWN_PARAMETER, place, message, help);
-    finding.fix = near.and_then(|near| near.fix());
-    reader.findings.push(finding);
+    reader.findings.push(Finding::misspelt(Code::UNKNOWN_PARAMETER, place, message, advice));
 }

@@ -1,6 +1,6 @@
 //! A finding.
 
-use super::{Code, Place, Severity, escaped};
+use super::{Advice, Code, Place, Severity, escaped};
 use std::borrow::Cow;
 use std::fmt;
 
@@ -50,6 +50,11 @@ impl Finding {
             related: Vec::new(),
             fix: None,
         }
+    }
+
+    /// A name that is not there, with what may be meant.
+    pub fn misspelt(code: Code, place: Place, message: impl Into<String>, advice: Advice) -> Self {
+        Self { fix: advice.fix, ..Self::new(code, place, message, advice.help) }
     }
 
     /// The same with another place that explains it.

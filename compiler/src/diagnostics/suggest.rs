@@ -1,7 +1,9 @@
 //! The nearest name to a misspelt one.
 
+use std::cell::Cell;
+
 use super::listed_or;
-use super::synonyms::{self, Synonym};
+use super::synonyms;
 
 /// Longer names are not compared: the distance costs the product of the lengths.
 const MAX_LENGTH: usize = 64;
@@ -32,19 +34,35 @@ impl Suggestion<'_> {
     }
 }
 
-/// The help for a name that is not there, and what to put in its place where nothing else can be meant:
-/// what it means elsewhere comes before what is spelled nearly so.
-pub(crate) fn advice(
-    synonym: Option<Synonym>,
-    near: Option<Suggestion<'_>>,
-    otherwise: impl FnOnce() -> String,
-) -> (String, Option<String>) {
-    match (synonym, near) {
-        (_, Some(near)) if near.distance == 0 => (near.help(), near.fix()),
-        (Some(synonym), _) => (synonym.help(), synonym.fix()),
-        (None, Some(near)) => (near.help(), near.fix()),
-        (None, None) => (otherwise(), None),
+/// Suggestions for the misspelt names of a file, bounded: comparing every wrong name with every right
+/// one takes time in the square of the file.
+#[derive(Clone, Debug)]
+pub struct Suggestions {
+    comparisons_left: Cell<usize>,
+}
+
+impl Default for Suggestions {
+    fn default() -> Self {
+        Self { comparisons_left: Cell::new(1_000_000) }
     }
+}
+
+impl Suggestions {
+    /// The nearest of `names`, none where the file used its share of comparisons up.
+    pub fn nearest<'a>(
+        &self,
+        wrong: &str,
+        names: impl ExactSizeIterator<Item = &'a str>,
+    ) -> Option<Suggestion<'a>> {
+        let left = self.comparisons_left.get().checked_sub(names.len())?;
+        self.comparisons_left.set(left);
+        nearest(wrong, names)
+    }
+}
+
+/// Whether a name may be another one, misspelt.
+pub(crate) fn is_near(wrong: &str, name: &str) -> bool {
+    nearest(wrong, [name]).is_some()
 }
 
 /// The one of `names` nearest to `wrong`, if near enough to be meant: at most a third of the

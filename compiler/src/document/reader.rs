@@ -5,7 +5,9 @@ use std::collections::HashMap;
 use std::ops::RangeInclusive;
 
 use crate::diagnostics::synonyms::{self, Synonym};
-use crate::diagnostics::{Code, Finding, Findings, advice, listed, nearest, shortened, shown};
+use crate::diagnostics::{
+    Advice, Code, Finding, Findings, Suggestions, is_near, listed, shortened, shown,
+};
 
 use super::numbers::{self, Whole};
 use super::{Document, Member, Value, ValueKind};
@@ -19,6 +21,8 @@ pub struct Reader<'d> {
     pub findings: Findings,
     /// Strings that name files which are opened as they are, for whoever can look.
     pub files: Vec<&'d Value>,
+    /// What misspelt names of the document may mean.
+    pub suggestions: Suggestions,
 }
 
 /// An object whose keys are known.
@@ -58,9 +62,26 @@ impl<'d> Object<'d> {
 impl<'d> Reader<'d> {
     /// A reader of `document` that has already reported its duplicate keys.
     pub fn new(document: &'d Document) -> Self {
-        let mut reader = Self { document, findings: Findings::default(), files: Vec::new() };
+        let mut reader = Self::of_part(document);
         reader.duplicates(&document.root);
         reader
+    }
+
+    /// A reader of `document`, which is part of one whose duplicate keys were reported.
+    pub fn of_part(document: &'d Document) -> Self {
+        let (findings, suggestions) = (Findings::default(), Suggestions::default());
+        Self { document, findings, files: Vec::new(), suggestions }
+    }
+
+    /// What to say of a name that is none of `names`, or else of what it means elsewhere.
+    pub fn advice<'a>(
+        &self,
+        wrong: &str,
+        names: impl ExactSizeIterator<Item = &'a str>,
+        synonym: Option<Synonym>,
+        otherwise: impl FnOnce() -> String,
+    ) -> Advice {
+        Advice::of(synonym, self.suggestions.nearest(wrong, names), otherwise)
     }
 
     /// Reports a mistake at a value.
@@ -98,7 +119,7 @@ impl<'d> Reader<'d> {
         // A misspelt key, or what it is called elsewhere, was reported as the unknown one it is.
         let misspelt = |member: &Member| {
             member.key != key
-                && (nearest(&member.key, [key]).is_some()
+                && (is_near(&member.key, key)
                     || synonyms::key(&member.key, |ours| ours == key).is_some())
         };
         if value.members().iter().any(misspelt) {
@@ -151,12 +172,11 @@ impl<'d> Reader<'d> {
     fn unknown_key_among(&mut self, member: &Member, what: &str, keys: &[&str], free: &[&str]) {
         let message = format!("{what} has no key `{}`", shortened(&member.key));
         let synonym = synonyms::key(&member.key, |ours| free.contains(&ours));
-        let near = nearest(&member.key, free.iter().copied());
-        let (help, fix) =
-            advice(synonym, near, || format!("its keys are {}", listed(keys.iter().copied())));
+        let advice = self.advice(&member.key, free.iter().copied(), synonym, || {
+            format!("its keys are {}", listed(keys.iter().copied()))
+        });
         let place = self.document.place_of_key(member);
-        let finding = Finding { fix, ..Finding::new(Code::UNKNOWN_KEY, place, message, help) };
-        self.findings.push(finding);
+        self.findings.push(Finding::misspelt(Code::UNKNOWN_KEY, place, message, advice));
     }
 
     /// A string, or a finding.
@@ -309,13 +329,11 @@ impl<'d> Reader<'d> {
             return Some(*choice);
         }
         let names = || choices.iter().map(|(name, _)| *name);
-        let (help, fix) = advice(synonym(text), nearest(text, names()), || {
-            format!("write one of {}", listed(names()))
-        });
+        let advice = self
+            .advice(text, names(), synonym(text), || format!("write one of {}", listed(names())));
         let message = format!("{what} cannot be `{}`", shortened(text));
         let place = self.document.place(value);
-        let finding = Finding { fix, ..Finding::new(Code::UNKNOWN_CHOICE, place, message, help) };
-        self.findings.push(finding);
+        self.findings.push(Finding::misspelt(Code::UNKNOWN_CHOICE, place, message, advice));
         None
     }
 
