@@ -68,7 +68,7 @@ fn of_wire(wire: &Wire, track: &Track, layout: &Layout) -> Vec<String> {
     if !at_output || !at_input || start.y != output || end.y != input {
         faults.push(format!("{wire:?} misses a socket"));
     }
-    if track.windows(2).any(|pair| pair[1].x < pair[0].x) || track.len() % 2 != 0 {
+    if track.windows(2).any(|pair| pair[1].x < pair[0].x) || !track.len().is_multiple_of(2) {
         faults.push(format!("{wire:?} runs to the left"));
     }
     faults
