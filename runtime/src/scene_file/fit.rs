@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 
 use phenomenon_compiler::check::{Files, Setting, bind_settings};
-use phenomenon_compiler::diagnostics::{Code, Finding, Place, listed, nearest};
+use phenomenon_compiler::diagnostics::{Advice, Code, Finding, Place, listed, nearest};
 use phenomenon_compiler::document::{Document, Value, ValueKind};
 use phenomenon_compiler::graph::{Binding, Graph};
 use phenomenon_compiler::values::Literal;
@@ -154,12 +154,11 @@ fn finding(
     name: &str,
     place: Option<Place>,
 ) -> Finding {
-    let near = nearest(name, lights.names.iter().map(String::as_str));
-    let help = match (&near, lights.names.as_slice()) {
-        (Some(near), _) => near.help(),
-        (None, []) => "it has no lights at all; add one to `lights`".to_owned(),
-        (None, names) => format!("its lights are {}", listed(names.iter().map(String::as_str))),
-    };
+    let names = || lights.names.iter().map(String::as_str);
+    let mut advice = Advice::of(None, nearest(name, names()), || match lights.names.is_empty() {
+        true => "it has no lights at all; add one to `lights`".to_owned(),
+        false => format!("its lights are {}", listed(names())),
+    });
     let graph = &graph.name;
     let message = format!("`{graph}` asks for the light `{name}`, which the scene does not have");
     let own = place.as_ref().is_some_and(|place| place.file == material.place.file);
@@ -167,10 +166,10 @@ fn finding(
     let place = place.unwrap_or_else(|| material.place.clone());
     // The text of a place is a name only where it is a string: a list of names is none.
     let is_name = place.text().starts_with('"');
-    let mut finding = Finding::new(Code::UNKNOWN_LIGHT, place, message, help);
-    if own && is_name {
-        finding.fix = near.and_then(|near| near.fix());
+    if !own || !is_name {
+        advice.fix = None;
     }
+    let mut finding = Finding::misspelt(Code::UNKNOWN_LIGHT, place, message, advice);
     if elsewhere {
         finding = finding.with_related(material.place.clone(), "the scene uses it here");
     }
