@@ -1,7 +1,5 @@
 //! What a thread renders with: queues of rays become batches of points, and those are shaded.
 
-use std::sync::Arc;
-
 use phenomenon_compiler::effects::{Answer, LightList, Ray};
 use phenomenon_compiler::engine::{Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
@@ -30,7 +28,8 @@ pub struct Context<'s> {
     /// nothing is allocated per ray.
     spare: Vec<Scratch>,
     nesting: usize,
-    light_lists: Vec<Arc<[u32]>>,
+    /// Lists of lights that shaders asked for: their names, and the numbers of these lights.
+    light_lists: Vec<(Vec<String>, Vec<u32>)>,
 }
 
 impl<'s> Context<'s> {
@@ -238,11 +237,25 @@ impl<'s> Context<'s> {
         }
     }
 
+    /// The list of the lights called `names`, of all lights without a name. Each is looked for once;
+    /// no thread waits for another to know it.
+    pub(super) fn list_of(&mut self, names: &[String]) -> LightList {
+        let known = self.light_lists.iter().position(|(of, _)| of == names);
+        let at = known.unwrap_or_else(|| {
+            let numbered = || (0_u32..).zip(&self.scene.lights);
+            let named = |name: &String| numbered().find(|(_, light)| light.name == *name);
+            let list = match names.is_empty() {
+                true => numbered().map(|(number, _)| number).collect(),
+                false => names.iter().filter_map(named).map(|(number, _)| number).collect(),
+            };
+            self.light_lists.push((names.to_vec(), list));
+            self.light_lists.len() - 1
+        });
+        LightList(at as u32)
+    }
+
     /// The lights of a list, by their numbers.
-    pub(super) fn lights_of(&mut self, list: LightList) -> &[u32] {
-        if list.0 as usize >= self.light_lists.len() {
-            self.light_lists = self.scene.light_lists();
-        }
-        self.light_lists.get(list.0 as usize).map_or(&[], |list| list)
+    pub(super) fn lights_of(&self, list: LightList) -> &[u32] {
+        self.light_lists.get(list.0 as usize).map_or(&[], |(_, list)| list)
     }
 }

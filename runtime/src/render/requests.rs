@@ -46,16 +46,7 @@ impl Renderer for Context<'_> {
     }
 
     fn light_list(&mut self, names: &[String]) -> LightList {
-        let lights = &self.scene.lights;
-        let list: Vec<u32> = match names.is_empty() {
-            true => (0..lights.len() as u32).collect(),
-            false => names
-                .iter()
-                .filter_map(|name| lights.iter().position(|light| light.name == *name))
-                .map(|position| position as u32)
-                .collect(),
-        };
-        LightList(self.scene.intern_light_list(&list))
+        self.list_of(names)
     }
 
     fn light_count(&mut self, list: LightList) -> usize {

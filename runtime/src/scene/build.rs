@@ -1,6 +1,6 @@
 //! Building a scene.
 
-use std::sync::{Arc, PoisonError, RwLock};
+use std::sync::Arc;
 
 use glam::DVec3;
 use phenomenon_compiler::engine::Shade;
@@ -60,7 +60,6 @@ pub struct Scene {
     /// Middle of the box round everything, and half its diagonal.
     pub(crate) extent: (DVec3, f64),
     objects: Vec<Object>,
-    light_lists: RwLock<Vec<Arc<[u32]>>>,
     pub(crate) textures: Textures,
 }
 
@@ -188,7 +187,6 @@ impl SceneBuilder {
             depth: self.depth,
             extent,
             objects: self.objects,
-            light_lists: RwLock::new(Vec::new()),
             textures,
         })
     }
@@ -258,20 +256,5 @@ impl Scene {
     /// How many primitives it has.
     pub fn primitive_count(&self) -> usize {
         self.tree.len()
-    }
-
-    /// Number of the list of these lights. Equal lists have equal numbers, whichever thread asks.
-    pub(crate) fn intern_light_list(&self, lights: &[u32]) -> u32 {
-        let mut lists = self.light_lists.write().unwrap_or_else(PoisonError::into_inner);
-        if let Some(number) = lists.iter().position(|list| **list == *lights) {
-            return number as u32;
-        }
-        lists.push(lights.into());
-        (lists.len() - 1) as u32
-    }
-
-    /// All lists of lights so far.
-    pub(crate) fn light_lists(&self) -> Vec<Arc<[u32]>> {
-        self.light_lists.read().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }
