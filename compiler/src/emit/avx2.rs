@@ -8,7 +8,8 @@ use std::arch::x86_64::*;
 use std::mem::MaybeUninit;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
-use super::{Bits, Emit, Int, Mask, Real, Select, Sink, Words, standard_functions};
+use super::methods::standard_functions;
+use super::{Bits, Emit, Int, Mask, Real, Select, Sink, Words};
 use crate::emit::Body;
 use crate::storage::{Lanes, Placement, Source};
 

@@ -14,12 +14,12 @@ mod back_end;
 mod body;
 pub mod functions;
 pub mod interval;
+mod methods;
 pub mod scalar;
 mod shapes;
 pub mod standard;
 mod words;
 
-pub(crate) use back_end::standard_functions;
 pub use back_end::{Bits, Emit, Int, Mask, Real, Select};
 pub use body::{Body, MAX_OUTPUTS};
 pub use shapes::{Color, Components, One, Transform, Vector};

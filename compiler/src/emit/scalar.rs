@@ -2,7 +2,8 @@
 
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
-use super::{Bits, Emit, Int, Mask, Real, Select, Sink, Words, standard_functions};
+use super::methods::standard_functions;
+use super::{Bits, Emit, Int, Mask, Real, Select, Sink, Words};
 
 /// The back end of one `f32` point.
 #[derive(Clone, Copy, Debug)]

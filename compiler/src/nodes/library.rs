@@ -116,10 +116,3 @@ impl NodeLibrary {
         self.definitions.iter().enumerate().map(|(at, definition)| (NodeType(at), definition))
     }
 }
-
-/// Joins the lines of a doc comment.
-pub fn paragraph(lines: &[&str]) -> String {
-    let lines: Vec<&str> =
-        lines.iter().map(|line| line.strip_prefix(' ').unwrap_or(line)).collect();
-    lines.join("\n")
-}

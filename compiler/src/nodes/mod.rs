@@ -14,14 +14,16 @@ mod agreement;
 pub mod finite;
 mod library;
 mod light_reads;
+mod paragraph;
 pub mod ports;
 pub mod reference;
 mod signature;
 mod soundness;
 mod standard;
 
-pub use library::{Definition, NodeLibrary, NodeType, Overload, paragraph};
+pub use library::{Definition, NodeLibrary, NodeType, Overload};
 pub use light_reads::{is_of_light, reads_light};
+pub use paragraph::paragraph;
 pub use signature::{
     Avoid, BLACK, DefaultValue, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE,
     Signature, WHITE, avoidable, node, required, state,

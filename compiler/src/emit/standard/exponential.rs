@@ -1,6 +1,6 @@
 //! Exponentials and hyperbolic functions.
 
-use super::{LN_2, LOG2_E, flipped, limited, polynomial, scaled, sign_bit};
+use super::parts::{LN_2, LOG2_E, flipped, limited, polynomial, power_of_two, scaled, sign_bit};
 use crate::emit::{Bits, Int, Mask};
 
 /// `e^r = 1 + r + r² P(r)` for |r| <= ln 2 / 2.
@@ -67,7 +67,7 @@ pub fn expm1<R: Bits>(x: R) -> R {
     let fraction = (r * r).mul_add(polynomial(r, EXPM1), r);
     let n = n.to_int();
     // Half of it, since 2^128 is no number: 2^n (fraction + 1) - 1.
-    let half: R = super::power_of_two(n - n.same(1));
+    let half: R = power_of_two(n - n.same(1));
     let whole = half.mul_add(fraction, half - 0.5) * 2.0;
     let value = n.equal(n.same(0)).select(fraction, whole);
     x.equal(x.same(0.0)).select(x, value)

@@ -1,6 +1,6 @@
 //! Inverse trigonometric functions.
 
-use super::{HALF_PI, flipped, polynomial, sign_bit};
+use super::parts::{HALF_PI, flipped, polynomial, sign_bit};
 use crate::emit::{Bits, Int, Mask};
 
 /// `asin r = r + r³ P(r²)` for |r| <= 1/2.

@@ -1,6 +1,6 @@
 //! Logarithms.
 
-use super::{LN_2, LOG2_E, polynomial};
+use super::parts::{LN_2, LOG2_E, polynomial};
 use crate::emit::{Bits, Int, Mask};
 
 /// `ln(1 + f) = f - f²/2 + f³ P(f)` for 1 + f in sqrt(1/2)..sqrt(2).

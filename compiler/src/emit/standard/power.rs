@@ -1,7 +1,8 @@
 //! Powers.
 
+use super::exponential;
 use super::logarithm::{Parts, parts};
-use super::{exponential, flipped, polynomial, sign_bit};
+use super::parts::{flipped, polynomial, sign_bit};
 use crate::emit::{Bits, Int, Mask};
 
 /// 2 / ln 2 in two parts.

@@ -4,7 +4,7 @@
 //! W. Waite's scheme). Beyond [`LARGEST_ANGLE`] the multiple could not be found in one step; there
 //! neighbouring numbers are 1/32 radian apart and more, and the angle counts as 0, infinities too.
 
-use super::{HALF_PI, flipped, polynomial, sign_bit};
+use super::parts::{HALF_PI, flipped, polynomial, sign_bit};
 use crate::emit::{Bits, Int, Mask};
 
 /// Largest |x| whose sine, cosine and tangent are computed: 2^18.
