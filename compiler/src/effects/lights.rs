@@ -1,6 +1,6 @@
 //! Lights as loops see them.
 
-/// A list of lights, resolved by the renderer from the names in a graph.
+/// A list of lights, resolved by the renderer from the names in a graph; known to that renderer only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct LightList(pub u32);
 
