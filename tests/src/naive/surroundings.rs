@@ -1,0 +1,33 @@
+//! What lies round a point: scopes and iterations of loops.
+
+use phenomenon_compiler::effects::{LightList, LightSample};
+use phenomenon_compiler::state::Field;
+
+use crate::reads::Fields;
+
+/// Position in the tree of surroundings; 0 is the point itself.
+pub(super) type SurroundingsId = usize;
+
+/// What a scope or an iteration of a loop puts round its inside.
+pub(super) struct Surroundings {
+    pub(super) outside: SurroundingsId,
+    pub(super) changes: Fields,
+    /// Name of the scope or loop.
+    pub(super) name: String,
+    pub(super) inside_of: Inside,
+}
+
+/// What surroundings are those of.
+pub(super) enum Inside {
+    Point,
+    /// The scope's node; its changed fields are computed when first read.
+    Scope {
+        node: usize,
+        fields: Option<Vec<(Field, Vec<u32>)>>,
+    },
+    Iteration {
+        list: LightList,
+        number: usize,
+        sample: LightSample,
+    },
+}
