@@ -2,19 +2,16 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::LazyLock;
 
 use phenomenon_compiler::check::check_graph_with;
 use phenomenon_compiler::diagnostics::{Finding, Severity};
 use phenomenon_compiler::document::read;
-use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::scene_file::{is_scene, read_scene};
 
 use super::files::InMemory;
+use super::library::LIBRARY;
 use super::reader::hold;
 use super::shading;
-
-static LIBRARY: LazyLock<NodeLibrary> = LazyLock::new(NodeLibrary::standard);
 
 /// Checks a graph or a scene. Findings hold to their rules, there is a graph unless one of them is
 /// an error, fixes leave a file that can be read, and a graph can be drawn and run.

@@ -3,6 +3,7 @@
 
 mod checker;
 mod files;
+mod library;
 mod mutate;
 mod reader;
 mod shading;

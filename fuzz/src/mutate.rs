@@ -7,8 +7,8 @@ use phenomenon_compiler::document::{Document, Value, ValueKind, read};
 use phenomenon_runtime::scene_file::file_schema;
 use serde_json::Value as Json;
 
-use super::checker::LIBRARY;
 use super::files::SEPARATOR;
+use super::library::LIBRARY;
 use super::tree::{at, count, member, strings, value, write};
 
 /// Every word that means something in a graph or a scene, out of the schema.
