@@ -2,6 +2,8 @@
 
 use std::cell::Cell;
 
+use strsim::osa_distance;
+
 use super::listed_or;
 use super::synonyms;
 
@@ -71,25 +73,28 @@ pub fn nearest<'a>(
     wrong: &str,
     names: impl IntoIterator<Item = &'a str>,
 ) -> Option<Suggestion<'a>> {
-    let letters = |name: &str| -> Vec<char> {
-        name.chars().take(MAX_LENGTH + 1).flat_map(char::to_lowercase).collect()
+    let letters = |name: &str| -> (String, usize) {
+        let letters: String =
+            name.chars().take(MAX_LENGTH + 1).flat_map(char::to_lowercase).collect();
+        let count = letters.chars().count();
+        (letters, count)
     };
-    let given = letters(wrong);
-    if given.is_empty() || given.len() > MAX_LENGTH {
+    let (given, length) = letters(wrong);
+    if length == 0 || length > MAX_LENGTH {
         return None;
     }
     let mut best: Option<Suggestion<'a>> = None;
     // The distance of the second best.
     let mut second = usize::MAX;
     for name in names {
-        let candidate = letters(name);
-        let longest = candidate.len().max(given.len());
+        let (candidate, count) = letters(name);
+        let longest = count.max(length);
         let allowed = (longest / 3).max(1);
         let bound = best.map_or(allowed, |best| allowed.min(best.distance + 1));
-        if candidate.len().abs_diff(given.len()) > bound {
+        if count.abs_diff(length) > bound {
             continue;
         }
-        let distance = edit_distance(&given, &candidate);
+        let distance = osa_distance(&given, &candidate);
         if distance > bound || distance == longest {
             continue;
         }
@@ -166,41 +171,17 @@ fn is_derived(wrong: &str, name: &str) -> bool {
     added || another_part
 }
 
-/// Optimal string alignment: insertions, deletions, replacements and swaps of neighbours.
-fn edit_distance(a: &[char], b: &[char]) -> usize {
-    let mut before = vec![0; b.len() + 1];
-    let mut above: Vec<usize> = (0..=b.len()).collect();
-    let mut here = vec![0; b.len() + 1];
-    for (i, &x) in a.iter().enumerate() {
-        here[0] = i + 1;
-        for (j, &y) in b.iter().enumerate() {
-            let replaced = above[j] + usize::from(x != y);
-            let mut least = replaced.min(above[j + 1] + 1).min(here[j] + 1);
-            if i > 0 && j > 0 && x == b[j - 1] && a[i - 1] == y {
-                least = least.min(before[j - 1] + 1);
-            }
-            here[j + 1] = least;
-        }
-        std::mem::swap(&mut before, &mut above);
-        std::mem::swap(&mut above, &mut here);
-    }
-    above[b.len()]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn distances_count_single_edits() {
-        let distance = |a: &str, b: &str| {
-            edit_distance(&a.chars().collect::<Vec<_>>(), &b.chars().collect::<Vec<_>>())
-        };
-        assert_eq!(distance("", "abc"), 3);
-        assert_eq!(distance("abc", ""), 3);
-        assert_eq!(distance("weight", "wieght"), 1);
-        assert_eq!(distance("kitten", "sitting"), 3);
-        assert_eq!(distance("mix", "mix"), 0);
+    fn distances_count_single_edits_and_swapped_neighbours() {
+        let distance = |wrong, name| nearest(wrong, [name]).map(|near| near.distance);
+        assert_eq!(distance("weight", "wieght"), Some(1));
+        assert_eq!(distance("kittens", "sitten"), Some(2));
+        assert_eq!(distance("mix", "mix"), Some(0));
+        assert_eq!(distance("mix", "MIX"), Some(0));
     }
 
     #[test]
