@@ -12,6 +12,7 @@ mod outputs;
 mod report;
 mod scenes;
 mod terminal;
+mod uri;
 
 use std::process::ExitCode;
 

@@ -4,6 +4,7 @@ use phenomenon_compiler::diagnostics::{Explanation, Finding, Place, Severity};
 use serde_json::{Value, json};
 
 use super::shown::Report;
+use crate::uri;
 
 /// One run of one tool, whose rules are all codes there are.
 pub fn text(report: &Report) -> String {
@@ -106,14 +107,5 @@ fn region(place: &Place) -> Value {
 
 /// A path as a relative URI reference: what is not plain is percent-encoded, byte by byte.
 fn uri(path: &str) -> String {
-    let mut uri = String::new();
-    for byte in path.replace('\\', "/").bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'-' | b'_' | b'.' | b'~' => {
-                uri.push(char::from(byte));
-            }
-            _ => uri.push_str(&format!("%{byte:02X}")),
-        }
-    }
-    uri
+    uri::escaped(path.replace('\\', "/").as_bytes())
 }

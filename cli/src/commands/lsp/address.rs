@@ -2,12 +2,10 @@
 
 use std::path::{Component, Path, PathBuf};
 
-use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, percent_encode};
+use percent_encoding::percent_decode_str;
 use phenomenon_compiler::check::{Files, OnDisk};
 
-/// What is escaped in the path of an address.
-const ESCAPED: &AsciiSet =
-    &NON_ALPHANUMERIC.remove(b'/').remove(b'-').remove(b'.').remove(b'_').remove(b'~');
+use crate::uri;
 
 /// The path of a `file:` address, its escapes undone, whatever bytes they are; another address as it is.
 pub fn path_of(uri: &str) -> PathBuf {
@@ -20,7 +18,7 @@ pub fn path_of(uri: &str) -> PathBuf {
 
 /// The address of a path.
 pub fn uri_of(path: &Path) -> String {
-    format!("file://{}", percent_encode(path.as_os_str().as_encoded_bytes(), ESCAPED))
+    format!("file://{}", uri::escaped(path.as_os_str().as_encoded_bytes()))
 }
 
 #[cfg(unix)]
