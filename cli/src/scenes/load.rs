@@ -10,7 +10,7 @@ use phenomenon_compiler::engine::Shader;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::link::{
-    self, Changes, Linker, Note, Shading, ShowNodeError, Subject, shown_node,
+    Changes, Linker, Note, Remark, Shading, ShowNodeError, Subject, shown_node,
 };
 use phenomenon_runtime::scene::Scene;
 use phenomenon_runtime::scene_file::{
@@ -115,10 +115,10 @@ pub fn load(
     })
 }
 
-fn tell(told: Told<'_>, what: &link::Told<'_>) {
+fn tell(told: Told<'_>, what: &Remark<'_>) {
     match what {
-        link::Told::Findings { findings, omitted } => told.tell(findings, *omitted),
-        link::Told::Note(note) => tell_note(note),
+        Remark::Findings { findings, omitted } => told.tell(findings, *omitted),
+        Remark::Note(note) => tell_note(note),
     }
 }
 

@@ -8,7 +8,7 @@ use phenomenon_compiler::nodes::NodeLibrary;
 
 use super::changes::Changes;
 use super::error::LinkError;
-use super::materials::{Materials, Shading, Subject, Told};
+use super::materials::{Materials, Remark, Shading, Subject};
 use crate::scene::{Scene, SceneError};
 use crate::scene_file::{BuildError, LightNames, MaterialSource, SceneDescription};
 
@@ -46,7 +46,7 @@ impl Linker<'_> {
         &self,
         scene: &SceneDescription,
         lights: &LightNames,
-        tell: &mut dyn FnMut(Told<'_>),
+        tell: &mut dyn FnMut(Remark<'_>),
     ) -> Result<Linked, LinkError> {
         let mut materials = Materials {
             library: self.library,

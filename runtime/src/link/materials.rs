@@ -47,9 +47,9 @@ pub struct Subject {
     pub values: Vec<(String, Literal)>,
 }
 
-/// What is told while a scene is linked.
+/// What is said while a scene is linked.
 #[derive(Clone, Debug)]
-pub enum Told<'t> {
+pub enum Remark<'t> {
     /// What was found in a file; if there are errors, they keep the scene from being linked.
     Findings {
         /// The findings.
@@ -78,7 +78,7 @@ pub(super) struct Materials<'a> {
     pub(super) shaders: Vec<Arc<Shader>>,
     /// Time spent compiling.
     pub(super) milliseconds: f64,
-    pub(super) tell: &'a mut dyn FnMut(Told<'_>),
+    pub(super) tell: &'a mut dyn FnMut(Remark<'_>),
 }
 
 impl Materials<'_> {
@@ -227,10 +227,10 @@ impl Materials<'_> {
     }
 
     fn findings(&mut self, findings: &[Finding], omitted: usize) {
-        (self.tell)(Told::Findings { findings, omitted });
+        (self.tell)(Remark::Findings { findings, omitted });
     }
 
     fn note(&mut self, note: Note) {
-        (self.tell)(Told::Note(note));
+        (self.tell)(Remark::Note(note));
     }
 }

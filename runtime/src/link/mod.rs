@@ -15,7 +15,7 @@ pub use changes::{Change, Changes, NoSuchUse, objects_in_words};
 pub use check::check_with_graphs;
 pub use error::{LinkError, ShowNodeError};
 pub use linker::{Linked, Linker};
-pub use materials::{Shading, Subject, Told};
+pub use materials::{Remark, Shading, Subject};
 pub use node_path::{HalfNodePath, NoSuchNode, NodePath};
 pub use notes::Note;
 pub use shown::shown_node;
