@@ -1,8 +1,8 @@
 //! What a node body may do: the operations every back end agrees on, bit for bit.
 //!
 //! A body is generic over [`Emit`]. Its implementations are the back ends: [`scalar`] runs one
-//! point (walk, and the portable fallback of the kernels), [`avx2`] eight at once (batch kernels),
-//! [`crate::ops::Tape`] records operations for the JIT. `docs/numerics.md` defines each operation
+//! point (walk), [`avx2`] eight at once (batch kernels), [`crate::ops::Tape`] records operations for all that
+//! evaluates them: the JIT, portable forms, [`interval`]. `docs/numerics.md` defines each operation
 //! as an expression; `tests` holds every back end to it over hard inputs.
 //!
 //! Rules for code generic over `E: Emit`: mark every function `#[inline(always)]`, take no closure,

@@ -1,7 +1,7 @@
 //! What a body recorded, once, for all that evaluates operations instead of running it.
 
 use std::collections::HashMap;
-use std::sync::{OnceLock, PoisonError, RwLock};
+use std::sync::{LazyLock, OnceLock, PoisonError, RwLock};
 
 use crate::emit::Body;
 use crate::ops::legalise::replay;
@@ -29,16 +29,14 @@ impl Recorded {
     /// What this recorder records, for that many output words. It is recorded when first asked for, and
     /// kept as long as the program runs: there are as many as bodies.
     pub(super) fn of(recorder: Recorder, outputs: usize) -> &'static Self {
-        static ALL: RwLock<Option<HashMap<(usize, usize), &'static Recorded>>> = RwLock::new(None);
+        static ALL: LazyLock<RwLock<HashMap<(usize, usize), &'static Recorded>>> =
+            LazyLock::new(RwLock::default);
         let key = (recorder as usize, outputs);
-        let known = ALL.read().unwrap_or_else(PoisonError::into_inner);
-        if let Some(recorded) = known.as_ref().and_then(|all| all.get(&key)) {
-            return recorded;
-        }
-        drop(known);
-        let mut all = ALL.write().unwrap_or_else(PoisonError::into_inner);
-        let all = all.get_or_insert_default();
-        all.entry(key).or_insert_with(|| Box::leak(Box::new(Self::new(recorder, outputs))))
+        let known = ALL.read().unwrap_or_else(PoisonError::into_inner).get(&key).copied();
+        known.unwrap_or_else(|| {
+            let mut all = ALL.write().unwrap_or_else(PoisonError::into_inner);
+            all.entry(key).or_insert_with(|| Box::leak(Box::new(Self::new(recorder, outputs))))
+        })
     }
 
     fn new(recorder: Recorder, outputs: usize) -> Self {

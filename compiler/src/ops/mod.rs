@@ -1,6 +1,6 @@
 //! The scalar operations of a pure segment: what the JIT fuses, and the passes that prepare them.
 //!
-//! Declared in one [`table`], recorded on a [`Tape`], collected in a [`OpSegment`], then [`legalise`],
+//! Declared in one table (`table.rs`), recorded on a [`Tape`], collected in a [`OpSegment`], then [`legalise`],
 //! [`fold`], [`dead`] and [`split`]. [`apply`] evaluates them over any back end, [`interpret`] says what they
 //! mean, `Display` prints a segment.
 
