@@ -131,7 +131,7 @@ fn what_no_picture_shows_is_noted_once() {
     assert!(linked.is_ok());
     let unmet =
         Note::Unmet { graph: "tint".into(), requirements: vec!["`shadow` to be `sort`".into()] };
-    assert_eq!(notes, [unmet.clone()]);
+    assert_eq!(notes, std::slice::from_ref(&unmet));
     // Those of the subject are for whoever read it.
     assert_eq!(Note::idle(&subject.graph), [unmet]);
     assert_eq!(Note::unseen(&subject.graph), None);
