@@ -42,9 +42,10 @@ impl MockRenderer {
 /// The words of a field, NaNs made one where they are numbers.
 fn field_words(field: Field, state: &State) -> impl Iterator<Item = u32> {
     let value_type = field.value_type();
-    let words = field.read(state).into_iter().take(value_type.width());
+    let mut words = vec![0; value_type.width()];
+    field.read(state, &mut words);
     let is_number = matches!(value_type, Type::Scalar | Type::Vector | Type::Color);
-    words.map(move |word| if is_number { canonical(word) } else { word })
+    words.into_iter().map(move |word| if is_number { canonical(word) } else { word })
 }
 
 fn hash(words: impl IntoIterator<Item = u32>) -> u64 {
@@ -60,7 +61,7 @@ fn token(list: LightList, iteration: usize) -> u64 {
     u64::from(list.0) << 32 | iteration as u64
 }
 
-/// The words a light sample depends on.
+/// The words a light sample depends on; its colour depends on the side as well.
 fn light_words(token: u64, state: &State) -> Vec<u32> {
     let mut words = vec![(token >> 32) as u32, token as u32];
     words.extend(field_words(Field::Point, state));
@@ -160,7 +161,8 @@ impl Renderer for MockRenderer {
         assert_eq!((points.len(), tokens.len()), (colors.len(), colors.len()));
         assert!(!points.is_empty(), "a request without points");
         for ((state, token), color) in points.iter().zip(tokens).zip(colors) {
-            let words = light_words(*token, state);
+            let mut words = light_words(*token, state);
+            words.extend(field_words(Field::InvNormal, state));
             let mut random = Random::new(hash(words.iter().copied()) ^ 1);
             *color = [0; 3].map(|_| random.number());
             let mut record = vec![Effect::LightColor as u32, state.hit.instance];

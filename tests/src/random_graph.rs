@@ -5,6 +5,7 @@
 
 use phenomenon_compiler::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
 use phenomenon_compiler::nodes::{DefaultValue, FINITE, Kind, NodeLibrary, NodeType, Signature};
+use phenomenon_compiler::state::{Field, Iterated};
 use phenomenon_compiler::values::{Literal, Type};
 
 use crate::random::Random;
@@ -76,7 +77,7 @@ fn classes(library: &NodeLibrary) -> Vec<Vec<NodeType>> {
         guarded.clone(),
         guarded,
         of(&|signature| matches!(signature.kind, Kind::Scope(_))),
-        of(&|signature| signature.kind == Kind::LightLoop),
+        of(&|signature| is_over_lights(signature)),
         of(&|signature| matches!(signature.kind, Kind::Fields(_))),
         of(&|signature| reads_light(library, signature)),
         of(&|signature| signature.outputs[0].value_type == Type::Boolean),
@@ -87,17 +88,26 @@ fn classes(library: &NodeLibrary) -> Vec<Vec<NodeType>> {
     classes
 }
 
+fn is_over_lights(signature: &Signature) -> bool {
+    matches!(signature.kind, Kind::Loop(Iterated::Lights, _))
+}
+
+/// Whether loops over lights provide a field.
+fn is_provided(field: Field) -> bool {
+    field.of_loop() == Some(Iterated::Lights)
+}
+
 fn reads_light(library: &NodeLibrary, signature: &Signature) -> bool {
     let node = reads::implied(library, signature.name);
     match &signature.kind {
-        Kind::Fields(fields) => fields.iter().any(|field| field.is_of_light()),
+        Kind::Fields(fields) => fields.iter().any(|field| is_provided(*field)),
         _ => is_of_light(&reads::of_node(library, &node, &|_, _| Fields::new())),
     }
 }
 
 /// Whether something that reads these fields belongs below a loop.
 pub fn is_of_light(fields: &Fields) -> bool {
-    fields.iter().any(|field| field.is_of_light())
+    fields.iter().any(|field| is_provided(*field))
 }
 
 impl<'a> Growing<'a> {
@@ -129,7 +139,7 @@ impl<'a> Growing<'a> {
         let generic = definition.overloads[overload].generic;
         let settled = |of: Type| if of == Type::Generic { generic.unwrap_or(of) } else { of };
         let signature = &definition.signature;
-        let is_loop = signature.kind == Kind::LightLoop;
+        let is_loop = is_over_lights(signature);
         let inputs: Vec<Binding> = signature
             .inputs
             .iter()
@@ -250,7 +260,7 @@ impl<'a> Growing<'a> {
     /// A loop over all lights round a colour.
     fn looped(&mut self, body: Binding) -> Binding {
         let mut types = self.library.iter();
-        let found = types.find(|(_, definition)| definition.signature.kind == Kind::LightLoop);
+        let found = types.find(|(_, definition)| is_over_lights(&definition.signature));
         let (node_type, definition) = found.expect("what reads light comes with a loop");
         let inputs = definition.signature.inputs.iter();
         let inputs = inputs.map(|input| if input.scoped { body.clone() } else { Binding::Default });

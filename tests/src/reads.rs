@@ -5,21 +5,21 @@ use std::collections::BTreeSet;
 
 use phenomenon_compiler::graph::{Binding, Node};
 use phenomenon_compiler::nodes::{DefaultValue, Kind, NodeLibrary};
-use phenomenon_compiler::state::Field;
+use phenomenon_compiler::state::{Field, Iterated};
 
 /// Fields.
 pub type Fields = BTreeSet<Field>;
 
-/// The fields of a light sample.
-pub fn light_fields() -> Fields {
-    Field::ALL.iter().copied().filter(|field| field.is_of_light()).collect()
+/// The fields that a turn of a loop provides.
+pub fn provided(by: Iterated) -> Fields {
+    Field::ALL.iter().copied().filter(|field| field.of_loop() == Some(by)).collect()
 }
 
 /// The fields that differ inside what a node of this kind opens.
 pub fn changed(kind: &Kind) -> Fields {
     match kind {
         Kind::Scope(fields) => fields.iter().copied().collect(),
-        Kind::LightLoop => light_fields(),
+        Kind::Loop(iterated, _) => provided(*iterated),
         Kind::Plain | Kind::Fields(_) | Kind::Request(_) | Kind::List(_) => Fields::new(),
     }
 }
@@ -40,8 +40,12 @@ pub fn of_node(
     let signature = library.signature(node.node_type);
     let mut fields: Fields = match &signature.kind {
         Kind::Request(effect) => effect.reads().iter().copied().collect(),
-        Kind::LightLoop => [Field::Point, Field::NormalGeom].into(),
-        Kind::Plain | Kind::Fields(_) | Kind::Scope(_) | Kind::List(_) => Fields::new(),
+        Kind::Loop(Iterated::Lights, _) => [Field::Point, Field::NormalGeom].into(),
+        Kind::Loop(Iterated::Samples, _)
+        | Kind::Plain
+        | Kind::Fields(_)
+        | Kind::Scope(_)
+        | Kind::List(_) => Fields::new(),
     };
     let changed = changed(&signature.kind);
     for (input, binding) in signature.inputs.iter().zip(&node.inputs) {

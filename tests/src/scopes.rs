@@ -8,6 +8,7 @@ pub fn with_more_scopes() -> NodeLibrary {
     let mut library = NodeLibrary::standard();
     library.add(enter_medium::definition());
     library.add(turn::definition());
+    library.add(flip::definition());
     library
 }
 
@@ -37,6 +38,35 @@ pub mod enter_medium {
             color: color;
         }
         body |e, i| Changes { ior: i.ior, ior_in: i.ior_in }
+    }
+}
+
+/// The node `flip`.
+pub mod flip {
+    use std::ops::Not;
+
+    use phenomenon_compiler::node;
+    use phenomenon_compiler::nodes::{BLACK, state};
+    use phenomenon_compiler::state::Field;
+
+    node! {
+        /// Evaluates `input` as if the surface were hit from the other side.
+        flip in scopes scope [InvNormal],
+        source "test",
+        inputs {
+            /// Whether it is hit from inside.
+            inside: boolean = state(Field::InvNormal);
+        }
+        scoped {
+            /// What is evaluated.
+            input: color = BLACK;
+        }
+        changes { inv_normal: boolean; }
+        outputs {
+            /// The value of `input`.
+            color: color;
+        }
+        body |e, i| Changes { inv_normal: i.inside.not() }
     }
 }
 

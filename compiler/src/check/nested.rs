@@ -5,16 +5,20 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 
 use crate::graph::{Binding, Graph, Root, RootKind};
 use crate::nodes::{Definition, Input, Kind, NodeLibrary, Output, Signature};
+use crate::state::Iterated;
 use crate::values::Type;
 
 use super::shape::Shape;
+
+/// Whether a value is read outside of the loops over each of [`Iterated::ALL`].
+pub(super) type OutsideLoops = [bool; Iterated::ALL.len()];
 
 /// A phenomenon that others use.
 pub(super) struct Nested {
     /// Checked, and without nested phenomena of its own.
     pub graph: Graph,
-    /// For each parameter, whether it is read outside of the phenomenon's light loops.
-    pub outside_loops: Vec<bool>,
+    /// For each parameter, whether it is read outside of the phenomenon's loops.
+    pub outside_loops: Vec<OutsideLoops>,
     /// The arrays and structs among its parameters.
     pub shapes: Vec<(String, Shape)>,
     /// Positions of its parameters.
@@ -28,7 +32,7 @@ impl Nested {
     pub fn new(
         library: &NodeLibrary,
         graph: Graph,
-        outside_loops: Vec<bool>,
+        outside_loops: Vec<OutsideLoops>,
         shapes: Vec<(String, Shape)>,
     ) -> Self {
         let names = graph.parameters.iter().enumerate();
@@ -51,7 +55,7 @@ impl Nested {
             let node = &self.graph.nodes[*node];
             pending.extend(&node.inputs);
             let kind = &library.signature(node.node_type).kind;
-            if matches!(kind, Kind::Request(_) | Kind::LightLoop) && !asks.contains(kind) {
+            if matches!(kind, Kind::Request(_) | Kind::Loop(..)) && !asks.contains(kind) {
                 asks.push(kind.clone());
             }
         }

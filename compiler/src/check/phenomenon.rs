@@ -13,7 +13,7 @@ use super::intervals::Intervals;
 use super::nested::Nested;
 use super::reachable::Named;
 use super::{
-    bind_inputs, cycles, dead_inputs, expand, hazards, interface, keys, light_loops, names, nodes,
+    bind_inputs, cycles, dead_inputs, expand, hazards, interface, keys, loops, names, nodes,
     ranges, reach, requirements, roots, stations, textures, types, used_phenomena,
 };
 
@@ -53,7 +53,7 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, given: Given<'d>, named: Named)
     let types = types::resolve(&draft, &order);
     let (nodes, roots) = bind_inputs::bind(reader, &draft, &types);
     let requirements = requirements::check(reader, object.optional("requires"), &draft);
-    let outside_loops = light_loops::check(reader, &draft);
+    let outside_loops = loops::check(reader, &draft);
     stations::check(reader, &draft);
     reach::check(reader, &draft);
     let ruled_out = check_values(reader, &draft, &nodes, &order);

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostics::{Code, Finding, Place, shortened};
 use crate::document::{Member, Reader, Value};
-use crate::effects::Effect;
+use crate::effects::{Asked, Effect, Trace};
 use crate::nodes::Kind;
 
 use super::draft::Draft;
@@ -165,13 +165,7 @@ fn check_roots(
 
 /// Whether an effect needs ray tracing. Light samples cast shadow rays only where shadows are on.
 fn casts_rays(effect: Effect) -> bool {
-    matches!(
-        effect,
-        Effect::TraceReflection
-            | Effect::TraceRefraction
-            | Effect::TraceTransparent
-            | Effect::TraceProbe
-    )
+    matches!(effect.asked(), Asked::Rays(trace) if trace != Trace::Environment)
 }
 
 fn read<'d>(reader: &mut Reader<'d>, member: &'d Member, requirements: &mut Joined) {

@@ -3,17 +3,23 @@
 
 use crate::diagnostics::{Code, Finding, shortened};
 use crate::document::Reader;
-use crate::effects::Effect;
+use crate::effects::{Asked, Trace};
 use crate::graph::RootKind;
 use crate::nodes::{Kind, NodeType};
+use crate::state::Iterated;
 
 use super::draft::{Draft, SourceKind};
 
 /// Why a root of a shader type cannot do what a node does; none where it can.
 fn forbidden(station: RootKind, kind: &Kind) -> Option<&'static str> {
-    let lights = matches!(kind, Kind::LightLoop | Kind::Request(Effect::LightColor));
-    let traces = matches!(kind, Kind::Request(effect) if *effect != Effect::LightColor);
-    let environment = matches!(kind, Kind::Request(Effect::TraceEnvironment));
+    let asked = match kind {
+        Kind::Request(effect) => Some(effect.asked()),
+        _ => None,
+    };
+    let over_lights = matches!(kind, Kind::Loop(Iterated::Lights, _));
+    let lights = over_lights || asked == Some(Asked::LightColors);
+    let traces = asked.is_some_and(|asked| asked != Asked::LightColors);
+    let environment = asked == Some(Asked::Rays(Trace::Environment));
     match station {
         RootKind::Environment if environment => {
             Some("it is what an environment ray asks, and would ask itself")

@@ -103,7 +103,7 @@ effects! {
     LightColor "light_color" asks Asked::LightColors,
         takes [],
         yields [color: Color],
-        reads [Point, NormalGeom, LightDirection, LightDistance];
+        reads [Point, NormalGeom, InvNormal, LightDirection, LightDistance];
     /// The colour of a texture.
     ReadTexture "read_texture" asks Asked::Texels,
         takes [texture: Texture, u: Scalar, v: Scalar],

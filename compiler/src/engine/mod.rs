@@ -8,6 +8,7 @@ mod requests;
 mod runner;
 mod shade;
 mod shader;
+mod turns;
 pub mod walk;
 
 pub use options::{Engine, Options, Simd};

@@ -37,10 +37,19 @@ pub struct Options {
     pub batch: usize,
     /// Which roots are compiled; the others are as if the graph had none.
     pub roots: &'static [RootKind],
+    /// Whether a root that looks at the ray type is compiled only for [`RootKind::ray_types`]; points of
+    /// other types may not be shaded then.
+    pub called_rays_only: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { engine: Engine::Auto, simd: Simd::Native, batch: 256, roots: &RootKind::ALL }
+        Self {
+            engine: Engine::Auto,
+            simd: Simd::Native,
+            batch: 256,
+            roots: &RootKind::ALL,
+            called_rays_only: false,
+        }
     }
 }

@@ -72,17 +72,6 @@ struct RootCode {
     plan: OnceLock<Option<Plan>>,
 }
 
-/// Ray types a root may be called for.
-const RAY_TYPES: [RayType; 7] = [
-    RayType::Eye,
-    RayType::Reflection,
-    RayType::Refraction,
-    RayType::Transparent,
-    RayType::Shadow,
-    RayType::Environment,
-    RayType::Displace,
-];
-
 impl Shader {
     /// Compiles `graph`, checked with `library`, with `values` for some of its parameters.
     pub fn new(
@@ -169,15 +158,17 @@ impl Shader {
         let start = Instant::now();
         let mut programs = Vec::new();
         for root in self.graph.roots.iter().filter(|root| self.options.roots.contains(&root.kind)) {
-            let first = self.compile_root(root, RAY_TYPES[0])?;
-            if first.code.specialised.reads_ray_type {
-                programs.push(Compiled { ray_type: Some(RAY_TYPES[0]), ..first });
-                for &ray_type in &RAY_TYPES[1..] {
-                    let program = self.compile_root(root, ray_type)?;
-                    programs.push(Compiled { ray_type: Some(ray_type), ..program });
+            let ray_types = match self.options.called_rays_only {
+                true => root.kind.ray_types(),
+                false => &RayType::ALL,
+            };
+            for (at, &ray_type) in ray_types.iter().enumerate() {
+                let program = self.compile_root(root, ray_type)?;
+                if at == 0 && !program.code.specialised.reads_ray_type {
+                    programs.push(program);
+                    break;
                 }
-            } else {
-                programs.push(first);
+                programs.push(Compiled { ray_type: Some(ray_type), ..program });
             }
         }
         self.programs = programs;

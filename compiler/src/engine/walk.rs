@@ -5,18 +5,20 @@
 //! Instances stand on an explicit stack, so that no chain is too deep. The cache is indexed, and
 //! stamped rather than emptied: nothing is hashed or allocated for a point.
 
-use crate::effects::{LightList, LightSample, Renderer, TextureId};
+use crate::effects::{LightList, Renderer, TextureId};
 use crate::emit::MAX_OUTPUTS;
 use crate::kernels::BodyForms;
 use crate::specialise::{
-    Context, EpochId, Instance, InstanceId, InstanceKind, Specialised, Subject,
+    Context, EpochId, Instance, InstanceId, InstanceKind, Specialised, Subject, Turns,
 };
-use crate::state::State;
+use crate::state::{Field, Reduction, State};
 use crate::storage::Source;
+use crate::values::Type;
 
 use super::options::Simd;
 use super::requests::{Asking, Question, iteration_key};
 use super::shade::Shaded;
+use super::turns::{Turn, Turning, turns_of};
 
 /// Walks `graph` for each point, with the words its parameters are bound to.
 pub fn walk(
@@ -58,6 +60,7 @@ pub struct Memory {
     stack: Vec<Frame>,
     inputs: Vec<u32>,
     asking: Asking,
+    turning: Turning,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
@@ -65,7 +68,6 @@ struct LoopPosition {
     next: usize,
     count: usize,
     running: bool,
-    sum: [f32; 3],
     /// Of the light sample.
     token: u64,
 }
@@ -112,10 +114,8 @@ impl Walk<'_> {
         self.memory.passes += 1;
         self.memory.pass.fill(self.memory.passes);
         for &(field, first) in &graph.fields {
-            let words = field.read(state);
             let at = self.uniforms + first as usize;
-            let width = field.value_type().width();
-            self.memory.words[at..at + width].copy_from_slice(&words[..width]);
+            field.read(state, &mut self.memory.words[at..at + field.value_type().width()]);
         }
         let root = graph.root();
         self.memory.stack.push(Frame { instance: root, next: 0 });
@@ -166,9 +166,8 @@ impl Walk<'_> {
         match &instance.kind {
             InstanceKind::Plain(code) => self.plain(instance, code),
             InstanceKind::Request { .. } => self.request(instance, state),
-            InstanceKind::Loop { epoch, .. } => {
-                let epoch = *epoch;
-                if self.iterate(instance, epoch, frame, state) {
+            InstanceKind::Loop { .. } => {
+                if self.iterate(instance, frame, state) {
                     return;
                 }
             }
@@ -212,11 +211,11 @@ impl Walk<'_> {
     fn scoped(&self, state: &State, context: &Context) -> State {
         let mut scoped = *state;
         for (field, sources) in context {
-            let mut words = [0; 4];
+            let mut words = [0; Field::MOST_WORDS];
             for (word, source) in words.iter_mut().zip(sources) {
                 *word = self.word(*source);
             }
-            field.write(&mut scoped, words);
+            field.write(&mut scoped, &words);
         }
         scoped
     }
@@ -269,58 +268,82 @@ impl Walk<'_> {
         Some((table, turn, self.memory.pass[self.graph.tables[table].epoch]))
     }
 
-    /// Starts the next iteration of a loop whose sample can reach the point. False when the loop is
-    /// over and its sum stored.
-    fn iterate(
-        &mut self,
-        instance: &Instance,
-        epoch: EpochId,
-        frame: Frame,
-        state: &State,
-    ) -> bool {
-        let InstanceKind::Loop { list, fields, body, words, context, .. } = &instance.kind else {
+    /// Starts the next turn of a loop that the point takes part in. False when the loop is over and
+    /// its value stored.
+    fn iterate(&mut self, instance: &Instance, frame: Frame, state: &State) -> bool {
+        let InstanceKind::Loop { epoch, turns, fields, body, context, .. } = &instance.kind else {
             return false;
         };
-        let list = self.lists[*list];
-        let mut position = self.memory.loops[epoch];
+        let mut position = self.memory.loops[*epoch];
         if position.running {
-            for (sum, word) in position.sum.iter_mut().zip(words) {
-                *sum += f32::from_bits(self.word(*word));
-            }
+            self.reduce(instance, |reduction, of, words, value| reduction.take(of, words, value));
         } else {
-            let count = self.renderer.light_count(list);
+            self.reduce(instance, |reduction, of, words, _| reduction.start(of, words));
+            let count = match turns {
+                Turns::Lights { list } => self.renderer.light_count(self.lists[*list]),
+                Turns::Samples { count, .. } => turns_of(self.word(*count)),
+            };
             position = LoopPosition { count, running: true, ..LoopPosition::default() };
         }
-        let state = self.scoped(state, context);
-        while position.next < position.count {
-            let iteration = position.next;
+        let mut turning = std::mem::take(&mut self.memory.turning);
+        turning.clear();
+        match turns {
+            Turns::Lights { .. } => turning.states.push(self.scoped(state, context)),
+            Turns::Samples { .. } => turning.paths.push((state.path, position.count)),
+        }
+        let mut goes_on = false;
+        while position.next < position.count && !goes_on {
+            turning.turn(self.turn(turns, position.next), self.renderer);
             position.next += 1;
-            let mut sample = [LightSample::default()];
-            self.renderer.light_samples(list, iteration, &[state], &mut sample);
-            let [sample] = sample;
-            if !sample.reachable {
-                continue;
+            goes_on = turning.reached[0];
+        }
+        if goes_on {
+            position.token = turning.tokens[0];
+            self.memory.loops[*epoch] = position;
+            self.pass_anew(*epoch);
+            for (slot, word) in (*fields..).zip(&turning.words) {
+                self.set(slot, *word);
             }
-            position.token = sample.token;
-            self.memory.loops[epoch] = position;
-            self.pass_anew(epoch);
-            for (slot, x) in (*fields..).zip(sample.direction) {
-                self.set(slot, x.to_bits());
-            }
-            self.set(*fields + 3, sample.distance.to_bits());
             self.memory.stack.push(frame);
-            // A body that does not look at the light belongs to an outer epoch: once is enough.
+            // A body that does not look at the turn belongs to an outer epoch: once is enough.
             if let Some(body) = body.filter(|body| !self.is_done(*body)) {
                 self.memory.stack.push(Frame { instance: body, next: 0 });
             }
-            return true;
+        } else {
+            let turns = position.count;
+            self.reduce(instance, |reduction, of, words, _| reduction.finish(of, turns, words));
+            self.memory.loops[*epoch] = LoopPosition::default();
         }
-        let [r, g, b] = position.sum;
-        for (slot, x) in (instance.output..).zip([r, g, b, 1.0]) {
-            self.set(slot, x.to_bits());
+        self.memory.turning = turning;
+        goes_on
+    }
+
+    /// What is asked for a turn of a loop.
+    fn turn(&self, turns: &Turns, number: usize) -> Turn {
+        match turns {
+            Turns::Lights { list } => Turn::OfLights(self.lists[*list], number),
+            Turns::Samples { site, loops, .. } => {
+                Turn::OfSamples(number, iteration_key(self.key(*site, loops), number))
+            }
         }
-        self.memory.loops[epoch] = LoopPosition::default();
-        false
+    }
+
+    /// Changes what the turns of a loop became, given it and the body's value.
+    fn reduce(
+        &mut self,
+        instance: &Instance,
+        change: impl Fn(Reduction, Type, &mut [u32], &[u32]),
+    ) {
+        let InstanceKind::Loop { reduction, value_type, words, .. } = &instance.kind else {
+            return;
+        };
+        let mut value = [0; Reduction::MOST_WORDS];
+        for (word, source) in value.iter_mut().zip(words) {
+            *word = self.word(*source);
+        }
+        let first = self.uniforms + instance.output as usize;
+        let so_far = &mut self.memory.words[first..first + instance.outputs as usize];
+        change(*reduction, *value_type, so_far, &value[..words.len()]);
     }
 
     /// Everything in the epoch, and in those inside it, is to be evaluated anew.

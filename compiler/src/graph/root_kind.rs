@@ -1,5 +1,6 @@
 //! The kinds of roots.
 
+use crate::state::RayType;
 use crate::values::Type;
 
 /// What a root is called for: the shader types of mental ray. Engines run a root of any type; which
@@ -72,6 +73,20 @@ impl RootKind {
             RootKind::Lightmap => "lightmap",
             RootKind::Geometry => "geometry",
             RootKind::State => "state",
+        }
+    }
+
+    /// The ray types a renderer calls it for. Of kinds that no renderer here calls, all.
+    pub fn ray_types(self) -> &'static [RayType] {
+        match self {
+            RootKind::Material => {
+                use RayType::{Eye, Reflection, Refraction, Transparent};
+                &[Eye, Reflection, Refraction, Transparent]
+            }
+            RootKind::Shadow => &[RayType::Shadow],
+            RootKind::Environment => &[RayType::Environment],
+            RootKind::Displacement => &[RayType::Displace],
+            _ => &RayType::ALL,
         }
     }
 

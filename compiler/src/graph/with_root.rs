@@ -5,7 +5,8 @@ use std::collections::HashSet;
 use thiserror::Error;
 
 use super::{Binding, Graph, Node, Root, RootKind};
-use crate::nodes::{Kind, NodeLibrary, is_of_light, reads_light};
+use crate::nodes::{Kind, NodeLibrary, is_of_turn, reads_turn};
+use crate::state::Iterated;
 use crate::values::Type;
 
 /// Why an output cannot be a root.
@@ -128,19 +129,21 @@ impl Graph {
         let mut waiting = vec![(node, output)];
         while let Some((node, output)) = waiting.pop() {
             let Node { node_type, inputs, .. } = &self.nodes[node];
-            if is_of_light(library, *node_type, Some(output)) {
+            if is_of_turn(library, *node_type, Some(output), Iterated::Lights) {
                 return true;
             }
             let signature = library.signature(*node_type);
             for (at, (input, binding)) in signature.inputs.iter().zip(inputs).enumerate() {
-                if input.scoped && signature.kind == Kind::LightLoop {
+                if input.scoped && matches!(signature.kind, Kind::Loop(Iterated::Lights, _)) {
                     continue;
                 }
                 match binding {
                     Binding::Node { node, output } if seen.insert((*node, *output)) => {
                         waiting.push((*node, *output));
                     }
-                    Binding::Default if reads_light(library, *node_type, at) => return true,
+                    Binding::Default if reads_turn(library, *node_type, at, Iterated::Lights) => {
+                        return true;
+                    }
                     _ => {}
                 }
             }

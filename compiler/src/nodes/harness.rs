@@ -144,7 +144,9 @@ fn words(definition: &Definition, overload: &Overload, given: &[(&str, Literal)]
             }
             DefaultValue::Literal(literal) => words.extend(literal.words()),
             DefaultValue::State(field) => {
-                words.extend(&field.read(&State::default())[..value_type.width()]);
+                let first = words.len();
+                words.resize(first + value_type.width(), 0);
+                field.read(&State::default(), &mut words[first..]);
             }
             DefaultValue::Required | DefaultValue::Node(_) => {
                 words.extend(std::iter::repeat_n(0, value_type.width()));

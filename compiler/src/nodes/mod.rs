@@ -13,22 +13,22 @@ mod agreement;
 
 pub mod finite;
 mod library;
-mod light_reads;
 mod paragraph;
 pub mod ports;
 pub mod reference;
 mod signature;
 mod soundness;
 mod standard;
+mod turn_reads;
 
 pub use library::{Definition, NodeLibrary, NodeType, Overload};
-pub use light_reads::{is_of_light, reads_light};
 pub use paragraph::paragraph;
 pub use signature::{
     Avoid, BLACK, DefaultValue, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE,
     Signature, WHITE, avoidable, node, required, state,
 };
 pub use soundness::DefinitionError;
+pub use turn_reads::{is_of_turn, reads_turn};
 
 /// Declares the folders and files of nodes, and the list [`NodeLibrary::standard`] is made from.
 macro_rules! nodes {

@@ -3,6 +3,8 @@
 use std::fmt::Write;
 use std::ops::RangeInclusive;
 
+use crate::state::Iterated;
+
 use super::{
     Avoid, DefaultValue, Definition, FINITE, GROUPS, Kind, NOT_NEGATIVE, NodeLibrary, Signature,
 };
@@ -83,7 +85,8 @@ fn kind(signature: &Signature) -> String {
     match &signature.kind {
         Kind::Request(effect) => format!("\nAsks the renderer: effect `{}`.\n", effect.name()),
         Kind::Scope(fields) => format!("\nChanges, for its scoped input: {}.\n", names(fields)),
-        Kind::LightLoop => "\nA loop over light samples.\n".into(),
+        Kind::Loop(Iterated::Lights, _) => "\nA loop over light samples.\n".into(),
+        Kind::Loop(Iterated::Samples, _) => "\nA loop over samples.\n".into(),
         Kind::List(_) => {
             "\nTakes a list of any length: `[value, …]` or an array of the interface.\n".into()
         }

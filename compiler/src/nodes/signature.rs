@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use crate::effects::Effect;
-use crate::state::Field;
+use crate::state::{Field, Iterated, Reduction};
 
 use crate::values::{Literal, Type};
 
@@ -211,8 +211,9 @@ pub enum Kind {
     /// A body yields new values of these state fields, under which the scoped input is evaluated;
     /// the output is that input's value.
     Scope(Vec<Field>),
-    /// The scoped input is evaluated once per light sample and summed in list order.
-    LightLoop,
+    /// The inputs before the scoped one say what is run over; the scoped one is evaluated once a turn,
+    /// and its values become one.
+    Loop(Iterated, Reduction),
     /// Over a list of values, as other nodes: the checker puts those in its place, so no engine
     /// meets it.
     List(ListForm),

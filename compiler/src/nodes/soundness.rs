@@ -2,6 +2,7 @@
 
 use crate::effects::{Effect, Part};
 use crate::emit::MAX_OUTPUTS;
+use crate::state::{Iterated, Reduction};
 use crate::values::Type;
 
 use super::{Definition, Kind, Signature};
@@ -49,6 +50,20 @@ pub enum DefinitionError {
         /// Words the body writes.
         written: usize,
     },
+    /// The node does not have the inputs and the output of its loop.
+    #[error(
+        "`{node}` loops over {over} samples, so its inputs have to be ({expected}) and a scoped one, \
+         without guards, of the type of its one output: scalar, vector or color, and color if turns \
+         are laid over each other"
+    )]
+    Loop {
+        /// The node type.
+        node: String,
+        /// What it runs over.
+        over: &'static str,
+        /// What it has to take.
+        expected: String,
+    },
     /// Not one place for a guard per input.
     #[error("`{node}` has {inputs} inputs and places for {guards} guards")]
     Guards {
@@ -70,6 +85,9 @@ impl Definition {
         let signature = &self.signature;
         if let Kind::Request(effect) = &signature.kind {
             check_request(signature, *effect)?;
+        }
+        if let Kind::Loop(iterated, reduction) = signature.kind {
+            check_loop(signature, iterated, reduction)?;
         }
         for overload in &self.overloads {
             let node = || signature.name.to_owned();
@@ -125,6 +143,34 @@ fn check_request(signature: &Signature, effect: Effect) -> Result<(), Definition
     Ok(())
 }
 
+fn check_loop(
+    signature: &Signature,
+    iterated: Iterated,
+    reduction: Reduction,
+) -> Result<(), DefinitionError> {
+    let arguments = iterated.arguments();
+    let fits = match (signature.inputs.split_last(), &signature.outputs[..]) {
+        (Some((body, taken)), [output]) => {
+            let reduced = match reduction {
+                Reduction::Over => output.value_type == Type::Color,
+                _ => matches!(output.value_type, Type::Scalar | Type::Vector | Type::Color),
+            };
+            let alike = body.scoped && body.value_type == output.value_type && reduced;
+            let no_guard = signature.inputs.iter().all(|input| !input.guarded);
+            alike && no_guard && taken.iter().map(|input| input.value_type).eq(arguments.to_vec())
+        }
+        _ => false,
+    };
+    if fits {
+        return Ok(());
+    }
+    Err(DefinitionError::Loop {
+        node: signature.name.to_owned(),
+        over: iterated.name(),
+        expected: arguments.iter().map(|of| of.name()).collect::<Vec<_>>().join(", "),
+    })
+}
+
 /// `color: color, ok: boolean`.
 fn listed(parts: &[Part]) -> String {
     let part = |part: &Part| format!("{}: {}", part.name, part.value_type.name());
@@ -162,6 +208,20 @@ mod tests {
         let expected = "`trace_reflection` has an output `color: vector`, but `trace_reflection` \
                         answers (color: color, ok: boolean, hit: boolean, distance: scalar)";
         assert_eq!(error.to_string(), expected);
+    }
+
+    #[test]
+    fn a_loop_takes_what_it_runs_over_and_yields_what_its_body_does() {
+        let mut light_loop = standard("light_loop");
+        assert_eq!(light_loop.check(), Ok(()));
+        light_loop.signature.inputs[1].value_type = Type::Scalar;
+        let error = light_loop.check().expect_err("a number becomes no colour");
+        assert!(
+            error.to_string().starts_with("`light_loop` loops over light samples, so its inputs")
+        );
+        let mut light_loop = standard("light_loop");
+        light_loop.signature.kind = Kind::Loop(Iterated::Samples, Reduction::Mean);
+        assert!(light_loop.check().is_err(), "lights are no count");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! From a specialised graph to its schedule.
 
-use crate::specialise::{EpochId, Instance, InstanceId, InstanceKind, Specialised, Subject};
+use crate::specialise::{EpochId, Instance, InstanceId, InstanceKind, Specialised, Subject, Turns};
 use crate::storage::Source;
 
 use super::{Item, Loop, Region, RegionId, Request, Schedule, Segment, Step};
@@ -22,7 +22,7 @@ pub fn schedule(graph: &Specialised) -> Schedule {
         loop_of_epoch: vec![None; graph.epochs.0.len()],
         emitted: vec![false; graph.instances.len()],
     };
-    builder.number_loops(&reachable);
+    builder.list_loops(&reachable);
     let pure = builder.pure_by_loop(&reachable);
     for (region, head) in homes.heads.iter().enumerate() {
         builder.region(region, head, &pure);
@@ -171,35 +171,58 @@ struct Open {
 }
 
 impl Builder<'_> {
-    /// Gives every loop its position, so that requests inside can name it.
-    fn number_loops(&mut self, reachable: &[bool]) {
+    /// Lists the loops. First all get their positions, for requests and loops inside name them.
+    fn list_loops(&mut self, reachable: &[bool]) {
+        let mut bodies = Vec::new();
         for (id, instance) in self.graph.instances.iter().enumerate() {
-            let InstanceKind::Loop { epoch, list, fields, words, context, .. } = &instance.kind
-            else {
-                continue;
-            };
+            let InstanceKind::Loop { epoch, .. } = instance.kind else { continue };
             let Some(region) = self.homes.bodies[id].filter(|_| reachable[id]) else { continue };
-            let inside = |of: EpochId| self.graph.epochs.within(of, *epoch);
-            let renewed = self.homes.heads.iter().enumerate().filter_map(|(region, head)| {
-                let Head::Instance(head) = head else { return None };
-                inside(self.graph.instances[*head].epoch).then_some(region)
-            });
-            let tables = self.graph.tables.iter().enumerate();
-            let emptied = tables.filter_map(|(at, table)| inside(table.epoch).then_some(at));
-            self.loop_of_epoch[*epoch] = Some(self.loops.len());
-            self.loops.push(Loop {
-                name: instance.name.clone(),
-                list: *list,
-                epoch: *epoch,
-                fields: *fields,
-                region,
-                words: words[..3].to_vec(),
-                output: instance.output,
-                context: context.clone(),
-                renewed: renewed.collect(),
-                emptied: emptied.collect(),
-            });
+            self.loop_of_epoch[epoch] = Some(bodies.len());
+            bodies.push((instance, region));
         }
+        for (instance, region) in bodies {
+            self.loops.extend(self.new_loop(instance, region));
+        }
+    }
+
+    /// The loop of a loop instance, with the region of its body.
+    fn new_loop(&self, instance: &Instance, region: RegionId) -> Option<Loop> {
+        let InstanceKind::Loop {
+            epoch, turns, reduction, value_type, fields, words, context, ..
+        } = &instance.kind
+        else {
+            return None;
+        };
+        let inside = |of: EpochId| self.graph.epochs.within(of, *epoch);
+        let renewed = self.homes.heads.iter().enumerate().filter_map(|(region, head)| {
+            let Head::Instance(head) = head else { return None };
+            inside(self.graph.instances[*head].epoch).then_some(region)
+        });
+        let tables = self.graph.tables.iter().enumerate();
+        let emptied = tables.filter_map(|(at, table)| inside(table.epoch).then_some(at));
+        let mut turns = turns.clone();
+        if let Turns::Samples { loops, .. } = &mut turns {
+            *loops = self.positions(loops);
+        }
+        Some(Loop {
+            name: instance.name.clone(),
+            turns,
+            reduction: *reduction,
+            value_type: *value_type,
+            epoch: *epoch,
+            fields: *fields,
+            region,
+            words: words.clone(),
+            output: instance.output,
+            context: context.clone(),
+            renewed: renewed.collect(),
+            emptied: emptied.collect(),
+        })
+    }
+
+    /// The positions of the loops of epochs.
+    fn positions(&self, epochs: &[EpochId]) -> Vec<usize> {
+        epochs.iter().filter_map(|epoch| self.loop_of_epoch[*epoch]).collect()
     }
 
     /// Pure instances by the innermost loop they belong to: first those of no loop.
@@ -296,7 +319,7 @@ impl Builder<'_> {
             InstanceKind::Request { effect, context, site, loops, subject } => {
                 self.flush(open);
                 open.items.push(Item::Request(self.requests.len()));
-                let loops = loops.iter().filter_map(|epoch| self.loop_of_epoch[*epoch]).collect();
+                let loops = self.positions(loops);
                 self.requests.push(Request {
                     name: instance.name.clone(),
                     effect: *effect,

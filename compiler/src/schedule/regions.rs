@@ -2,10 +2,10 @@
 
 use crate::effects::Effect;
 use crate::kernels::BodyForms;
-use crate::specialise::{Context, EpochId, LightTable, Subject};
-use crate::state::Field;
+use crate::specialise::{Context, EpochId, LightTable, Subject, Turns};
+use crate::state::{Field, Reduction};
 use crate::storage::Source;
-use crate::values::Texture;
+use crate::values::{Texture, Type};
 
 /// Position in [`Schedule::regions`].
 pub type RegionId = usize;
@@ -105,22 +105,26 @@ pub struct Request {
     pub subject: Subject,
 }
 
-/// A light loop.
+/// A loop.
 #[derive(Clone, Debug)]
 pub struct Loop {
     /// The node, for printing.
     pub name: String,
-    /// Position of its light list.
-    pub list: usize,
+    /// What it runs over; loops round it by their positions.
+    pub turns: Turns,
+    /// How the body's values become one.
+    pub reduction: Reduction,
+    /// Type of the body's values, and of what they become.
+    pub value_type: Type,
     /// The epoch of its body.
     pub epoch: EpochId,
-    /// First of the four slots of the light sample.
+    /// First of the slots of the fields a turn provides.
     pub fields: u32,
     /// The body.
     pub region: RegionId,
-    /// The body's first three words.
+    /// The body's words.
     pub words: Vec<Source>,
-    /// First slot of the sum.
+    /// First slot of what they become.
     pub output: u32,
     /// State fields that scopes changed.
     pub context: Context,

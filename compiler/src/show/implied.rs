@@ -3,8 +3,9 @@
 
 use std::fmt::Write;
 
-use crate::effects::Effect;
+use crate::effects::Asked;
 use crate::nodes::{DefaultValue, Kind, NodeLibrary};
+use crate::state::Iterated;
 use crate::values::Type;
 
 use super::theme::Accent;
@@ -44,10 +45,13 @@ pub(super) fn badge(kind: &Kind) -> Option<Badge> {
     let (accent, text) = match kind {
         Kind::Plain | Kind::List(_) => return None,
         Kind::Fields(_) => (Accent::State, "state"),
-        Kind::Request(Effect::LightColor) => (Accent::Light, "light"),
-        Kind::Request(Effect::ReadTexture) => (Accent::State, "texture"),
-        Kind::Request(_) => (Accent::Ray, "ray"),
-        Kind::LightLoop => (Accent::Light, "light loop"),
+        Kind::Request(effect) => match effect.asked() {
+            Asked::LightColors => (Accent::Light, "light"),
+            Asked::Texels => (Accent::State, "texture"),
+            Asked::Rays(_) => (Accent::Ray, "ray"),
+        },
+        Kind::Loop(Iterated::Lights, _) => (Accent::Light, "light loop"),
+        Kind::Loop(Iterated::Samples, _) => (Accent::Scope, "loop"),
         Kind::Scope(_) => (Accent::Scope, "scope"),
     };
     Some(Badge { accent, text, by_default: false })
@@ -72,7 +76,7 @@ fn asks(library: &NodeLibrary, default: &DefaultValue, deepest: usize) -> Option
         return None;
     };
     let signature = library.signature(library.find(name)?);
-    if let Kind::Request(_) | Kind::LightLoop = signature.kind {
+    if let Kind::Request(_) | Kind::Loop(..) = signature.kind {
         return badge(&signature.kind).map(|badge| Badge { by_default: true, ..badge });
     }
     signature.inputs.iter().find_map(|input| asks(library, &input.default, deepest))

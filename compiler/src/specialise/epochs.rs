@@ -1,8 +1,8 @@
 //! Epochs: the stretches of time over which a node has one value.
 
 use super::keys::{PATH_KEY, path_key};
-use super::{EpochId, FieldSet, InstanceId};
-use crate::state::Field;
+use super::{EpochId, InstanceId};
+use crate::state::{Field, FieldSet, Iterated};
 use crate::storage::Source;
 
 /// Most names of a path that are shown.
@@ -21,12 +21,14 @@ pub enum EpochKind {
         /// The words of each field.
         fields: Vec<(Field, Vec<Source>)>,
     },
-    /// A light loop; each iteration is a new pass through the epoch.
+    /// A loop; each turn is a new pass through the epoch.
     Loop {
-        /// First of the four slots of the light sample.
+        /// What it runs over.
+        iterated: Iterated,
+        /// First of the slots of the fields a turn provides.
         fields: u32,
-        /// Position of the loop's light list.
-        list: usize,
+        /// Position of the light list, of a loop over lights.
+        list: Option<usize>,
     },
 }
 
@@ -123,6 +125,14 @@ impl Epochs {
     /// The innermost loop round `epoch`, itself included.
     pub fn innermost_loop(&self, epoch: EpochId) -> Option<EpochId> {
         self.0[epoch].loops.last().copied()
+    }
+
+    /// The innermost loop over lights round `epoch`, itself included, and the position of its list.
+    pub fn innermost_lights(&self, epoch: EpochId) -> Option<(EpochId, usize)> {
+        self.0[epoch].loops.iter().rev().find_map(|&of| match self.0[of].kind {
+            EpochKind::Loop { list, .. } => list.map(|list| (of, list)),
+            EpochKind::Point | EpochKind::Scope { .. } => None,
+        })
     }
 
     /// Whether `inner` is `outer` or lies within it.

@@ -2,9 +2,9 @@
 
 use crate::effects::Effect;
 use crate::kernels::BodyForms;
-use crate::state::Field;
+use crate::state::{Field, Reduction};
 use crate::storage::Source;
-use crate::values::Texture;
+use crate::values::{Texture, Type};
 
 use super::{EpochId, Epochs, InstanceId, Uniforms};
 
@@ -45,20 +45,43 @@ pub enum InstanceKind {
         /// What it is about.
         subject: Subject,
     },
-    /// By running a body for every light sample. Its last demand is the body.
+    /// By running a body in every turn. Its last demand is the body.
     Loop {
         /// Epoch of the body.
         epoch: EpochId,
-        /// Position in [`Specialised::light_lists`].
-        list: usize,
-        /// First of the slots for [`Field::LightDirection`] (3) and [`Field::LightDistance`] (1).
+        /// What it runs over.
+        turns: Turns,
+        /// How the body's values become one.
+        reduction: Reduction,
+        /// Type of the body's values, and of what they become.
+        value_type: Type,
+        /// First of the slots of the fields a turn provides.
         fields: u32,
         /// The body's instance, if it is computed at all.
         body: Option<InstanceId>,
-        /// The body's four words.
+        /// The body's words.
         words: Vec<Source>,
         /// State fields that scopes round it changed.
         context: Context,
+    },
+}
+
+/// What a loop runs over, with what it takes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Turns {
+    /// The samples of lights.
+    Lights {
+        /// Position in [`Specialised::light_lists`].
+        list: usize,
+    },
+    /// Samples.
+    Samples {
+        /// How many.
+        count: Source,
+        /// Key of their random numbers: a hash of the loop's path of names.
+        site: u64,
+        /// Loops round it, outermost first, as in [`InstanceKind::Request`].
+        loops: Vec<usize>,
     },
 }
 

@@ -17,8 +17,7 @@ pub use error::SpecialiseError;
 pub use expand::{MAX_INSTANCES, MAX_NESTED_LOOPS, expand};
 pub use ids::{EpochId, InstanceId};
 pub use instances::{
-    Context, Demand, Guard, Instance, InstanceKind, LightTable, Specialised, Subject,
+    Context, Demand, Guard, Instance, InstanceKind, LightTable, Specialised, Subject, Turns,
 };
 pub use keys::mix_key;
-pub use reads::FieldSet;
 pub use uniforms::Uniforms;

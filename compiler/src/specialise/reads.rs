@@ -1,72 +1,11 @@
 //! Which fields of the state a node reads, itself or through its inputs: what decides whether it is
 //! evaluated anew inside a scope.
 
-use std::ops::{BitOr, BitOrAssign, Sub};
-
 use crate::nodes::Kind;
-use crate::state::Field;
+use crate::state::FieldSet;
 
 use super::SpecialiseError;
 use super::views::{Resolved, Views};
-
-/// A set of state fields.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct FieldSet(u32);
-
-impl FieldSet {
-    /// No field.
-    pub const NONE: FieldSet = FieldSet(0);
-
-    /// Whether `field` is in it.
-    pub fn contains(self, field: Field) -> bool {
-        self.0 & (1 << field as u32) != 0
-    }
-
-    /// Whether some field is in both.
-    pub fn meets(self, other: FieldSet) -> bool {
-        self.0 & other.0 != 0
-    }
-}
-
-impl From<Field> for FieldSet {
-    fn from(field: Field) -> Self {
-        FieldSet(1 << field as u32)
-    }
-}
-
-impl FromIterator<Field> for FieldSet {
-    fn from_iter<I: IntoIterator<Item = Field>>(fields: I) -> Self {
-        fields.into_iter().fold(FieldSet::NONE, |set, field| set | field.into())
-    }
-}
-
-impl BitOr for FieldSet {
-    type Output = FieldSet;
-    fn bitor(self, other: FieldSet) -> FieldSet {
-        FieldSet(self.0 | other.0)
-    }
-}
-
-impl BitOrAssign for FieldSet {
-    fn bitor_assign(&mut self, other: FieldSet) {
-        self.0 |= other.0;
-    }
-}
-
-impl Sub for FieldSet {
-    type Output = FieldSet;
-    fn sub(self, other: FieldSet) -> FieldSet {
-        FieldSet(self.0 & !other.0)
-    }
-}
-
-/// The fields of a light sample.
-pub(super) fn light_fields() -> FieldSet {
-    Field::ALL.iter().copied().filter(|field| field.is_of_light()).collect()
-}
-
-/// What a light loop itself reads to find its samples.
-pub(super) const LIGHT_LOOP_READS: [Field; 2] = [Field::Point, Field::NormalGeom];
 
 /// For every view, the fields it reads. Iterative: chains may be long.
 pub(super) fn reads(views: &Views<'_>) -> Result<Vec<FieldSet>, SpecialiseError> {
@@ -134,12 +73,12 @@ fn reads_of(views: &Views<'_>, sets: &[FieldSet], view: usize) -> FieldSet {
     let signature = views.signature(view);
     let mut set = match &signature.kind {
         Kind::Request(effect) => effect.reads().iter().copied().collect(),
-        Kind::LightLoop => LIGHT_LOOP_READS.into_iter().collect(),
+        Kind::Loop(iterated, _) => iterated.reads().iter().copied().collect(),
         Kind::Plain | Kind::Fields(_) | Kind::Scope(_) | Kind::List(_) => FieldSet::NONE,
     };
     let changed = match &signature.kind {
         Kind::Scope(fields) => fields.iter().copied().collect(),
-        Kind::LightLoop => light_fields(),
+        Kind::Loop(iterated, _) => iterated.provides().collect(),
         _ => FieldSet::NONE,
     };
     for (input, declared) in signature.inputs.iter().enumerate() {

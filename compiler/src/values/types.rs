@@ -47,7 +47,7 @@ impl Type {
     ];
 
     /// Number of 32-bit words; none for what is not a value of a point.
-    pub fn width(self) -> usize {
+    pub const fn width(self) -> usize {
         match self {
             Type::Boolean | Type::Integer | Type::Scalar | Type::String => 1,
             Type::Vector => 3,

@@ -152,7 +152,7 @@ impl Materials<'_> {
         options: Options,
     ) -> Result<Arc<dyn Shade>, LinkError> {
         let start = Instant::now();
-        let options = Options { roots: CALLED_ROOTS, ..options };
+        let options = Options { roots: CALLED_ROOTS, called_rays_only: true, ..options };
         let name = graph.name.clone();
         let shader = Shader::new(Arc::new(graph), Arc::clone(self.library), values, options);
         let shader = shader.map_err(|error| {

@@ -5,6 +5,7 @@ mod invariance;
 mod lighting;
 mod meshes;
 mod polygons;
+mod reads;
 mod scene_files;
 mod self_intersection;
 mod shaders;

@@ -139,11 +139,15 @@ impl Evaluation<'_> {
         let at = self.effective(at, &[field].into());
         let width = field.value_type().width();
         match &self.surroundings[at].inside_of {
-            Inside::Point => Ok(field.read(self.point)[..width].to_vec()),
-            Inside::Iteration { sample, .. } if field == Field::LightDistance => {
-                Ok(vec![sample.distance.to_bits()])
+            Inside::Point => {
+                let mut words = vec![0; width];
+                field.read(self.point, &mut words);
+                Ok(words)
             }
-            Inside::Iteration { sample, .. } => Ok(sample.direction.map(f32::to_bits).to_vec()),
+            Inside::Turn { fields, .. } => {
+                let provided = fields.iter().find(|(of, _)| *of == field);
+                Ok(provided.expect("a turn provides what it changes").1.clone())
+            }
             Inside::Scope { node, fields: None } => {
                 let (node, outside) = (*node, self.surroundings[at].outside);
                 let entered = self.enter(node, outside)?;
@@ -203,7 +207,7 @@ impl Evaluation<'_> {
                 let scoped = signature.inputs.iter().position(|input| input.scoped);
                 self.input(node, scoped.expect("a scope has a scoped input"), inside)?
             }
-            Kind::LightLoop => self.light_loop(node, at)?,
+            Kind::Loop(iterated, reduction) => self.turns(node, *iterated, *reduction, at)?,
             Kind::Fields(_) => unreachable!("fields are read, not evaluated"),
             Kind::List(_) => unreachable!("the checker makes other nodes of it"),
         };
@@ -259,9 +263,8 @@ impl Evaluation<'_> {
     pub(super) fn state(&mut self, fields: &[Field], at: SurroundingsId) -> Result<State, TooLong> {
         let mut state = *self.point;
         for &field in fields {
-            let mut words = self.field(field, at)?;
-            words.resize(4, 0);
-            field.write(&mut state, [words[0], words[1], words[2], words[3]]);
+            let words = self.field(field, at)?;
+            field.write(&mut state, &words);
         }
         Ok(state)
     }
@@ -277,7 +280,7 @@ impl Evaluation<'_> {
         way
     }
 
-    /// The key of a request: the hash of its path of names, with the iterations round it.
+    /// The key of a request or a loop: the hash of its path of names, with the iterations round it.
     pub(super) fn site(&self, name: &str, at: SurroundingsId) -> u64 {
         let way = self.way_to(at);
         let names = way.iter().map(|&of| self.surroundings[of].name.as_str());
@@ -288,7 +291,7 @@ impl Evaluation<'_> {
         }
         let mut key = mix_key(hash);
         for of in way {
-            if let Inside::Iteration { number, .. } = self.surroundings[of].inside_of {
+            if let Inside::Turn { number, .. } = self.surroundings[of].inside_of {
                 key = mix_key(key ^ mix_key(number as u64 + 1));
             }
         }

@@ -7,5 +7,6 @@ mod nodes;
 mod requests;
 mod shade;
 mod surroundings;
+mod turns;
 
 pub use nodes::{Naive, TooLong};

@@ -1,13 +1,16 @@
-//! What nodes ask of the renderer, and the loop over its lights.
+//! What nodes ask of the renderer.
 
-use phenomenon_compiler::effects::{Answer, Effect, LightSample, Ray, Trace};
+use phenomenon_compiler::effects::{Answer, Effect, Ray, Trace};
 use phenomenon_compiler::graph::Binding;
 use phenomenon_compiler::state::Field;
-use phenomenon_compiler::values::{Literal, Type};
+use phenomenon_compiler::values::Literal;
 
 use super::evaluation::Evaluation;
 use super::nodes::TooLong;
 use super::surroundings::{Inside, SurroundingsId};
+
+/// What the colour of a light sample depends on.
+const LIGHT_READS: [Field; 3] = [Field::Point, Field::NormalGeom, Field::InvNormal];
 
 impl Evaluation<'_> {
     pub(super) fn trace(
@@ -66,20 +69,19 @@ impl Evaluation<'_> {
     pub(super) fn light_color(&mut self, at: SurroundingsId) -> Result<Vec<u32>, TooLong> {
         let innermost = self.way_to(at).into_iter().rev().find_map(|of| {
             match self.surroundings[of].inside_of {
-                Inside::Iteration { list, number, sample } => {
-                    Some((of, list, number, sample.token))
+                Inside::Turn { number, light: Some((list, token)), .. } => {
+                    Some((list, number, token))
                 }
-                Inside::Point | Inside::Scope { .. } => None,
+                Inside::Point | Inside::Scope { .. } | Inside::Turn { .. } => None,
             }
         });
-        let (iteration, list, number, token) =
-            innermost.expect("random graphs ask inside loops only");
-        let outside = self.surroundings[iteration].outside;
-        let shared = self.effective(outside, &[Field::Point, Field::NormalGeom].into());
+        let (list, number, token) = innermost.expect("random graphs ask inside loops only");
+        // A scope inside the loop that moves the point asks for itself.
+        let shared = self.effective(at, &LIGHT_READS.into());
         let color = match self.light_colors.get(&(list, number, shared)) {
             Some(color) => *color,
             None => {
-                let state = self.state(&[Field::Point, Field::NormalGeom], at)?;
+                let state = self.state(&LIGHT_READS, at)?;
                 let mut colors = [[0.0; 3]];
                 self.renderer.light_colors(&[state], &[token], &mut colors);
                 self.light_colors.insert((list, number, shared), colors[0]);
@@ -87,44 +89,6 @@ impl Evaluation<'_> {
             }
         };
         let [r, g, b] = color.map(f32::to_bits);
-        Ok(vec![r, g, b, 1.0_f32.to_bits()])
-    }
-
-    pub(super) fn light_loop(
-        &mut self,
-        node: usize,
-        at: SurroundingsId,
-    ) -> Result<Vec<u32>, TooLong> {
-        let naive = self.naive;
-        let of = &naive.nodes[node];
-        let inputs = &naive.library.signature(of.node_type).inputs;
-        let lights = inputs.iter().position(|input| input.value_type == Type::Lights);
-        let names = match lights.map(|input| &of.inputs[input]) {
-            Some(Binding::Literal(Literal::Lights(names))) => names.clone(),
-            Some(Binding::Parameter(parameter)) => match &naive.parameters[*parameter] {
-                Literal::Lights(names) => names.clone(),
-                Literal::Light(name) => vec![name.clone()],
-                other => panic!("{other:?} for lights"),
-            },
-            _ => Vec::new(),
-        };
-        let body = inputs.iter().position(|input| input.scoped).expect("a loop has a body");
-        let list = self.renderer.light_list(&names);
-        let state = self.state(&[Field::Point, Field::NormalGeom], at)?;
-        let mut sum = [0.0_f32; 3];
-        for number in 0..self.renderer.light_count(list) {
-            let mut samples = [LightSample::default()];
-            self.renderer.light_samples(list, number, &[state], &mut samples);
-            let [sample] = samples;
-            if sample.reachable {
-                let inside = self.open(node, at, Inside::Iteration { list, number, sample });
-                let color = self.input(node, body, inside)?;
-                for (sum, word) in sum.iter_mut().zip(color) {
-                    *sum += f32::from_bits(word);
-                }
-            }
-        }
-        let [r, g, b] = sum.map(f32::to_bits);
         Ok(vec![r, g, b, 1.0_f32.to_bits()])
     }
 }

@@ -1,6 +1,6 @@
-//! What lies round a point: scopes and iterations of loops.
+//! What lies round a point: scopes and turns of loops.
 
-use phenomenon_compiler::effects::{LightList, LightSample};
+use phenomenon_compiler::effects::LightList;
 use phenomenon_compiler::state::Field;
 
 use crate::reads::Fields;
@@ -8,7 +8,7 @@ use crate::reads::Fields;
 /// Position in the tree of surroundings; 0 is the point itself.
 pub(super) type SurroundingsId = usize;
 
-/// What a scope or an iteration of a loop puts round its inside.
+/// What a scope or a turn of a loop puts round its inside.
 pub(super) struct Surroundings {
     pub(super) outside: SurroundingsId,
     pub(super) changes: Fields,
@@ -25,9 +25,11 @@ pub(super) enum Inside {
         node: usize,
         fields: Option<Vec<(Field, Vec<u32>)>>,
     },
-    Iteration {
-        list: LightList,
+    /// A turn of a loop.
+    Turn {
         number: usize,
-        sample: LightSample,
+        /// Of a loop over lights: its list, and the token of the sample.
+        light: Option<(LightList, u64)>,
+        fields: Vec<(Field, Vec<u32>)>,
     },
 }

@@ -15,16 +15,6 @@ const UNIT: f64 = 1e-6;
 /// Most reflections or refractions so far.
 const LEVELS: i32 = 1 << 20;
 
-const RAY_TYPES: [(&str, RayType); 7] = [
-    ("eye", RayType::Eye),
-    ("reflection", RayType::Reflection),
-    ("refraction", RayType::Refraction),
-    ("transparent", RayType::Transparent),
-    ("shadow", RayType::Shadow),
-    ("environment", RayType::Environment),
-    ("displace", RayType::Displace),
-];
-
 /// The default state with these fields set, and notes on what was changed to fit.
 ///
 /// # Errors
@@ -38,11 +28,9 @@ pub fn state(assignments: &[TextValue]) -> Result<(State, Vec<String>), Failure>
         let refuse =
             |why: &str, help: &str| Failure::new(format!("--state {name}={value}: {why}"), help);
         let field = field(name).map_err(|help| refuse("the state has no such field", &help))?;
-        if field.is_of_light() {
-            return Err(refuse(
-                "this field exists only inside a light loop",
-                "evaluate the loop; an empty scene has no lights",
-            ));
+        if let Some(of) = field.of_loop() {
+            let why = format!("this field exists only inside a {} loop", of.name());
+            return Err(refuse(&why, "evaluate the loop; an empty scene has no lights"));
         }
         if given.contains(&field) {
             return Err(refuse("the field is set twice", "leave one of them out"));
@@ -53,11 +41,7 @@ pub fn state(assignments: &[TextValue]) -> Result<(State, Vec<String>), Failure>
         if matches!(field, Field::Direction | Field::Normal | Field::NormalGeom) && literal.1 {
             notes.push(format!("note: {name} was brought to unit length"));
         }
-        let mut words = [0; 4];
-        for (word, given) in words.iter_mut().zip(literal.0.words()) {
-            *word = given;
-        }
-        field.write(&mut state, words);
+        field.write(&mut state, &literal.0.words());
     }
     if !given.contains(&Field::NormalGeom) {
         state.normal_geom = state.normal;
@@ -75,7 +59,8 @@ fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
 
 fn field(name: &str) -> Result<Field, String> {
     Field::from_name(name).ok_or_else(|| {
-        let names = || Field::ALL.iter().filter(|field| !field.is_of_light()).map(|f| f.name());
+        let names =
+            || Field::ALL.iter().filter(|field| field.of_loop().is_none()).map(|f| f.name());
         match nearest(name, names()) {
             Some(near) => near.help(),
             None => format!("the fields are {}", names().collect::<Vec<_>>().join(", ")),
@@ -87,9 +72,9 @@ fn field(name: &str) -> Result<Field, String> {
 fn parse(field: Field, text: &str) -> Result<Literal, String> {
     let word = text.trim();
     if field == Field::RayType
-        && let Some((_, ray_type)) = RAY_TYPES.iter().find(|(name, _)| *name == word)
+        && let Some(ray_type) = RayType::ALL.into_iter().find(|it| it.name() == word)
     {
-        return Ok(Literal::Integer(*ray_type as i32));
+        return Ok(Literal::Integer(ray_type as i32));
     }
     match field.value_type() {
         Type::Boolean => match word {
@@ -244,7 +229,7 @@ mod tests {
 
     #[test]
     fn every_field_of_the_state_can_be_set() {
-        for field in Field::ALL.iter().filter(|field| !field.is_of_light()) {
+        for field in Field::ALL.iter().filter(|field| field.of_loop().is_none()) {
             let value = match field.value_type() {
                 Type::Boolean => "true",
                 Type::Vector => "0,1,0",
@@ -252,11 +237,12 @@ mod tests {
             };
             let text = format!("{}={value}", field.name());
             let (state, _) = read(&[&text]).unwrap();
-            let words = field.read(&state);
+            let mut words = vec![0; field.value_type().width()];
+            field.read(&state, &mut words);
             let one = if field.value_type() == Type::Integer { 1 } else { 1.0_f32.to_bits() };
             match field.value_type() {
                 Type::Boolean => assert_eq!(words[0], u32::MAX, "{text}"),
-                Type::Vector => assert_eq!(words, [0, one, 0, 0], "{text}"),
+                Type::Vector => assert_eq!(words, [0, one, 0], "{text}"),
                 _ => assert_eq!(words[0], one, "{text}"),
             }
         }

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use phenomenon_compiler::nodes::{DefaultValue, Input, Kind, Signature};
+use phenomenon_compiler::state::Iterated;
 use phenomenon_compiler::values::Type;
 
 use super::groups::{Group, first_sentence};
@@ -83,7 +84,13 @@ fn kind(kind: &Kind) -> Option<String> {
             Some(format!("Changes for its scoped input: {}.", names.join(", ")))
         }
         Kind::List(_) => Some("Takes a list of any length.".into()),
-        Kind::LightLoop => Some("Evaluates its scoped input once for each light sample.".into()),
+        Kind::Loop(iterated, _) => {
+            let what = match iterated {
+                Iterated::Lights => "light sample",
+                Iterated::Samples => "sample",
+            };
+            Some(format!("Evaluates its scoped input once for each {what}."))
+        }
     }
 }
 

@@ -45,7 +45,7 @@ fn described(node: &Signature) -> Value {
             let names: Vec<&str> = fields.iter().map(|field| field.name()).collect();
             object.insert("changes".into(), names.into());
         }
-        Kind::Plain | Kind::Fields(_) | Kind::LightLoop | Kind::List(_) => {}
+        Kind::Plain | Kind::Fields(_) | Kind::Loop(..) | Kind::List(_) => {}
     }
     object.insert("inputs".into(), node.inputs.iter().map(input).collect());
     object.insert("outputs".into(), node.outputs.iter().map(output).collect());

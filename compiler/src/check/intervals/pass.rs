@@ -269,7 +269,7 @@ impl Pass<'_, '_> {
                 );
                 words.resize(width, Value::unknown(Type::Scalar));
             }
-            (Kind::Request(_) | Kind::LightLoop, _) => {
+            (Kind::Request(_) | Kind::Loop(..), _) => {
                 self.declared(definition, overload, &mut words)
             }
             (Kind::Plain, None) | (Kind::List(_), _) => {

@@ -4,13 +4,12 @@ use crate::effects::{Asked, Effect};
 use crate::kernels::BodyForms;
 use crate::nodes::Kind;
 use crate::specialise::keys::{mix_key, path_key};
-use crate::specialise::reads::{LIGHT_LOOP_READS, light_fields};
 use crate::specialise::views::{Resolved, inconsistent};
 use crate::specialise::{
-    Context, Demand, EpochId, EpochKind, FieldSet, InstanceKind, LightTable, SpecialiseError,
-    Subject, Uniforms,
+    Context, Demand, EpochId, EpochKind, InstanceKind, LightTable, SpecialiseError, Subject, Turns,
+    Uniforms,
 };
-use crate::state::Field;
+use crate::state::{Field, FieldSet, Iterated, Reduction};
 use crate::values::Literal;
 
 use super::{Builder, Built, Frame, MAX_NESTED_LOOPS};
@@ -29,17 +28,19 @@ impl Builder<'_> {
                 let changes = fields.iter().copied().collect();
                 self.result.epochs.open(epoch, &name, changes, entered)
             }
-            Kind::LightLoop => {
+            Kind::Loop(iterated, _) => {
                 if self.result.epochs.0[epoch].loops.len() >= MAX_NESTED_LOOPS {
                     return Err(SpecialiseError::TooManyLoops {
                         limit: MAX_NESTED_LOOPS,
                         node: name,
                     });
                 }
-                let list = self.light_list(view);
-                let fields = self.slots(4);
-                let kind = EpochKind::Loop { fields, list };
-                self.result.epochs.open(epoch, &name, light_fields(), kind)
+                frame.taken =
+                    (std::mem::take(&mut frame.words), std::mem::take(&mut frame.demands));
+                let list = (*iterated == Iterated::Lights).then(|| self.light_list(view));
+                let fields = self.slots(iterated.words() as u32);
+                let kind = EpochKind::Loop { iterated: *iterated, fields, list };
+                self.result.epochs.open(epoch, &name, iterated.provides().collect(), kind)
             }
             _ => return Err(inconsistent(&name, "it has a scoped input but opens no scope")),
         };
@@ -140,7 +141,7 @@ impl Builder<'_> {
                     words: frame.words,
                 }
             }
-            Kind::LightLoop => self.light_loop(frame, &name)?,
+            Kind::Loop(_, reduction) => self.turns(frame, *reduction, &name)?,
             Kind::List(_) => {
                 return Err(inconsistent(
                     &name,
@@ -183,7 +184,7 @@ impl Builder<'_> {
         let subject = match effect.asked() {
             Asked::Rays(_) => Some(Subject::Point),
             Asked::Texels => self.texture(view).map(Subject::Texture),
-            Asked::LightColors => self.light(epoch),
+            Asked::LightColors => self.light(effect, epoch),
         };
         let Some(subject) = subject else {
             let words = effect.unasked().into_iter();
@@ -200,11 +201,11 @@ impl Builder<'_> {
     }
 
     /// The light sample asked about in `epoch`, and the table in which its colours are kept.
-    fn light(&mut self, epoch: EpochId) -> Option<Subject> {
-        let of = self.result.epochs.innermost_loop(epoch)?;
-        let EpochKind::Loop { list, .. } = self.result.epochs.0[of].kind else { return None };
+    fn light(&mut self, effect: Effect, epoch: EpochId) -> Option<Subject> {
+        let (of, list) = self.result.epochs.innermost_lights(epoch)?;
         // From the request outwards: a scope inside the loop that moves the point has its own table.
-        let reads: FieldSet = LIGHT_LOOP_READS.into_iter().collect();
+        let reads = effect.reads().iter().copied();
+        let reads: FieldSet = reads.filter(|field| field.of_loop().is_none()).collect();
         let table = LightTable { list, epoch: self.result.epochs.effective(epoch, reads) };
         let known = self.result.tables.iter().position(|of| *of == table);
         let table = known.unwrap_or_else(|| {
@@ -217,7 +218,7 @@ impl Builder<'_> {
     /// Fields that scopes round `epoch` changed, among those read; their makers are demanded too.
     fn context(&mut self, epoch: EpochId, reads: &[Field], demands: &mut Vec<Demand>) -> Context {
         let mut context = Vec::new();
-        for &field in reads.iter().filter(|field| !field.is_of_light()) {
+        for &field in reads.iter().filter(|field| field.of_loop().is_none()) {
             if self.result.epochs.changed_in(epoch, field).is_none() {
                 continue;
             }
@@ -230,16 +231,42 @@ impl Builder<'_> {
         context
     }
 
-    fn light_loop(&mut self, mut frame: Frame, name: &str) -> Result<Built, SpecialiseError> {
+    fn turns(
+        &mut self,
+        mut frame: Frame,
+        reduction: Reduction,
+        name: &str,
+    ) -> Result<Built, SpecialiseError> {
         let inside = self.inside(&mut frame)?;
-        let Frame { key: (_, epoch), words, mut demands, .. } = frame;
-        let EpochKind::Loop { fields, list } = self.result.epochs.0[inside].kind else {
+        let Frame { key: (view, epoch), words, demands: of_body, taken, .. } = frame;
+        let (taken, mut demands) = taken;
+        let EpochKind::Loop { iterated, fields, list } = self.result.epochs.0[inside].kind else {
             return Err(inconsistent(name, "it opened no loop"));
         };
-        let body = demands.pop().map(|demand| demand.source);
-        let context = self.context(epoch, &LIGHT_LOOP_READS, &mut demands);
-        let kind = InstanceKind::Loop { epoch: inside, list, fields, body, words, context };
-        let id = self.add(name, kind, epoch, demands, Vec::new(), 4)?;
+        let turns = match (iterated, list, taken.first()) {
+            (Iterated::Lights, Some(list), _) => Turns::Lights { list },
+            (Iterated::Samples, _, Some(&count)) => {
+                let outer = &self.result.epochs.0[epoch];
+                let site = mix_key(path_key(outer.path_key, name));
+                Turns::Samples { count, site, loops: outer.loops.clone() }
+            }
+            _ => return Err(inconsistent(name, "it lacks what its loop takes")),
+        };
+        let body = of_body.first().map(|demand| demand.source);
+        let value_type = self.views.output_type(view, 0);
+        let context = self.context(epoch, iterated.reads(), &mut demands);
+        let (epoch_of_body, outputs) = (inside, value_type.width() as u32);
+        let kind = InstanceKind::Loop {
+            epoch: epoch_of_body,
+            turns,
+            reduction,
+            value_type,
+            fields,
+            body,
+            words,
+            context,
+        };
+        let id = self.add(name, kind, epoch, demands, Vec::new(), outputs)?;
         Ok(self.of_instance(id))
     }
 }

@@ -8,14 +8,14 @@ use std::collections::HashMap;
 
 use crate::graph::{Graph, Root};
 use crate::nodes::NodeLibrary;
-use crate::state::RayType;
+use crate::state::{FieldSet, RayType};
 use crate::storage::Source;
 use crate::values::Literal;
 
 use super::reads::reads;
 use super::views::Views;
 use super::{
-    Demand, EpochId, Epochs, FieldSet, Guard, Instance, InstanceId, InstanceKind, SpecialiseError,
+    Demand, EpochId, Epochs, Guard, Instance, InstanceId, InstanceKind, SpecialiseError,
     Specialised, Uniforms,
 };
 
@@ -76,8 +76,10 @@ struct Frame {
     guard: Option<GuardState>,
     words: Vec<Source>,
     demands: Vec<Demand>,
-    /// The epoch opened for the scoped input, with the scope's or loop's own words.
+    /// The epoch opened for the scoped input.
     inside: Option<EpochId>,
+    /// What a loop takes: its words and demands before those of the body.
+    taken: (Vec<Source>, Vec<Demand>),
 }
 
 #[derive(Clone)]
@@ -205,6 +207,14 @@ impl Builder<'_> {
 
 impl Frame {
     fn new(key: Key) -> Self {
-        Self { key, next: 0, guard: None, words: Vec::new(), demands: Vec::new(), inside: None }
+        Self {
+            key,
+            next: 0,
+            guard: None,
+            words: Vec::new(),
+            demands: Vec::new(),
+            inside: None,
+            taken: Default::default(),
+        }
     }
 }

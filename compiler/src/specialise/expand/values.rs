@@ -60,8 +60,8 @@ impl Builder<'_> {
                     let words = words.map(|(_, words)| words.clone()).unwrap_or_default();
                     Built { words, demand: *enter }
                 }
-                EpochKind::Loop { fields, .. } => {
-                    let first = if field == Field::LightDistance { *fields + 3 } else { *fields };
+                EpochKind::Loop { iterated, fields, .. } => {
+                    let first = *fields + iterated.offset(field) as u32;
                     let words = (first..first + width).map(Source::Slot).collect();
                     Built { words, demand: None }
                 }
@@ -73,7 +73,7 @@ impl Builder<'_> {
             let word = self.result.uniforms.constant(self.ray_type as i32 as u32);
             return Built { words: vec![word], demand: None };
         }
-        if field.is_of_light() {
+        if field.of_loop().is_some() {
             // The checker refuses this; without it the field reads as zero.
             let zero = self.result.uniforms.constant(0);
             return Built { words: vec![zero; width as usize], demand: None };
@@ -150,7 +150,9 @@ impl Builder<'_> {
         epochs
             .enumerate()
             .find(|(_, epoch)| match epoch.kind {
-                EpochKind::Loop { fields, .. } => (fields..fields + 4).contains(&slot),
+                EpochKind::Loop { iterated, fields, .. } => {
+                    (fields..fields + iterated.words() as u32).contains(&slot)
+                }
                 EpochKind::Point | EpochKind::Scope { .. } => false,
             })
             .map_or(0, |(id, _)| id)

@@ -1,26 +1,36 @@
-//! Light samples are read only below the body of a light loop.
+//! What the turns of a loop provide is read only below its body.
 
 use crate::diagnostics::{Code, Finding, shortened};
 use crate::document::{Reader, Value};
-use crate::nodes::{Kind, is_of_light, reads_light};
+use crate::nodes::{Kind, is_of_turn, reads_turn};
+use crate::state::Iterated;
 
 use super::draft::{Draft, Source, SourceKind};
+use super::nested::OutsideLoops;
 
-/// Reports every node that reads the light sample and is reached from a root without passing the
-/// body of a loop. Tells for each parameter whether it is reached that way too: what a phenomenon
-/// reads below its own loops only, others may give it from the light sample.
-pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) -> Vec<bool> {
+/// Reports every node that reads the turn of a loop and is reached from a root without passing the
+/// body of one. Tells for each parameter whether it is reached that way too: what a phenomenon
+/// reads below its own loops only, others may give it from their turns.
+pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) -> Vec<OutsideLoops> {
+    let each = Iterated::ALL.map(|iterated| check_over(reader, draft, iterated));
+    let parameters = 0..draft.parameters.len();
+    parameters.map(|at| std::array::from_fn(|over| each[over][at])).collect()
+}
+
+/// The check for one kind of loop: for each parameter, whether it is reached outside of them.
+fn check_over(reader: &mut Reader<'_>, draft: &Draft<'_>, over: Iterated) -> Vec<bool> {
     // Left to defaults, per node type and input: asked for often, so it is worked out once.
     let library = draft.node_types.library;
     let by_default: Vec<Vec<bool>> = library
         .iter()
         .map(|(node_type, definition)| {
             let inputs = 0..definition.signature.inputs.len();
-            inputs.map(|input| reads_light(library, node_type, input)).collect()
+            inputs.map(|input| reads_turn(library, node_type, input, over)).collect()
         })
         .collect();
     let mut walk = Walk {
         draft,
+        over,
         by_default,
         visited: vec![false; draft.nodes.len()],
         reported: vec![false; draft.nodes.len()],
@@ -38,9 +48,10 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) -> Vec<bool> {
     walk.parameters
 }
 
-/// The nodes reached from roots outside of every loop.
+/// The nodes reached from roots outside of every loop of a kind.
 struct Walk<'w, 'd> {
     draft: &'w Draft<'d>,
+    over: Iterated,
     /// Of the types of the library.
     by_default: Vec<Vec<bool>>,
     visited: Vec<bool>,
@@ -61,7 +72,8 @@ impl Walk<'_, '_> {
         };
         let Some(node_type) = self.draft.nodes[node].node_type else { return };
         let is_phenomenon = self.draft.nested.contains_key(&node_type);
-        if !is_phenomenon && is_of_light(self.draft.node_types.library, node_type, output) {
+        let library = self.draft.node_types.library;
+        if !is_phenomenon && is_of_turn(library, node_type, output, self.over) {
             self.report(reader, node, Some(source.value), "");
         }
         if !std::mem::replace(&mut self.visited[node], true) {
@@ -70,13 +82,16 @@ impl Walk<'_, '_> {
     }
 
     fn leave(&mut self, reader: &mut Reader<'_>, node: usize) {
-        let draft = self.draft;
+        let (draft, over) = (self.draft, self.over);
         let Some(node_type) = draft.nodes[node].node_type else { return };
         let signature = draft.node_types.signature(node_type);
         let nested = draft.nested.get(&node_type);
         let is_body = |input: usize| match nested {
-            Some(nested) => !nested.outside_loops[input],
-            None => signature.kind == Kind::LightLoop && signature.inputs[input].scoped,
+            Some(nested) => !nested.outside_loops[input][over as usize],
+            None => match signature.kind {
+                Kind::Loop(iterated, _) => iterated == over && signature.inputs[input].scoped,
+                _ => false,
+            },
         };
         for input in &draft.nodes[node].inputs {
             // A connection to an input that does not exist leads nowhere.
@@ -110,9 +125,17 @@ impl Walk<'_, '_> {
         } else {
             format!(", by the default of its input `{input}`,")
         };
-        let message =
-            format!("node `{name}` ({kind}) reads the light sample{by} outside of a light loop");
-        let help = "connect what reads it to the input `body` of a `light_loop`";
+        let (what, of, help) = match self.over {
+            Iterated::Lights => {
+                let help = "connect what reads it to the input `body` of a `light_loop`";
+                ("light sample", "light loop", help)
+            }
+            Iterated::Samples => {
+                let help = "connect what reads it to the scoped input of a loop over samples";
+                ("sample", "sample loop", help)
+            }
+        };
+        let message = format!("node `{name}` ({kind}) reads the {what}{by} outside of a {of}");
         let place = reader.document.place_of_key(drafted.member);
         let mut finding = Finding::new(Code::OUTSIDE_LIGHT_LOOP, place, message, help);
         if let Some(from) = from {

@@ -1,0 +1,75 @@
+//! What the executor works in.
+
+use crate::engine::requests::Asking;
+use crate::engine::turns::Turning;
+use crate::schedule::{RegionId, Schedule};
+use crate::storage::{FileShape, LANES, Lanes};
+
+/// What the executor works in; kept between batches.
+#[derive(Debug, Default)]
+pub struct Memory {
+    pub(super) lanes: Vec<Lanes>,
+    /// Per region and block, the lanes it is being run for.
+    pub(super) todo: Vec<u8>,
+    /// Per region and block, the lanes it was run for.
+    pub(super) done: Vec<u8>,
+    /// Per table and iteration, answers kept.
+    pub(super) tables: Vec<Vec<Table>>,
+    /// Per loop, its iteration.
+    pub(super) iterations: Vec<usize>,
+    /// Per loop and point, the token of the light sample.
+    pub(super) tokens: Vec<Vec<u64>>,
+    pub(super) stack: Vec<Frame>,
+    pub(super) chosen: Vec<usize>,
+    pub(super) asking: Asking,
+    pub(super) turning: Turning,
+}
+
+/// Answers about one light sample.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Table {
+    /// Per block, the lanes whose answers are known.
+    pub(super) known: Vec<u8>,
+    /// Per point, the words of its answer.
+    pub(super) words: Vec<u32>,
+}
+
+/// Where the executor goes on once what stands above is done.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Frame {
+    Region { region: RegionId, item: usize },
+    Loop { at: usize, within: RegionId, count: usize },
+}
+
+impl Memory {
+    /// Makes room for a batch, with the uniform words in place.
+    pub(super) fn fit(
+        &mut self,
+        schedule: &Schedule,
+        uniforms: &[u32],
+        shape: FileShape,
+        blocks: usize,
+    ) {
+        self.lanes.resize(shape.words(blocks).max(self.lanes.len()), Lanes::default());
+        for (lane, word) in self.lanes.iter_mut().zip(uniforms) {
+            *lane = Lanes([*word; LANES]);
+        }
+        let masks = schedule.regions.len() * blocks;
+        self.todo.clear();
+        self.todo.resize(masks, 0);
+        self.done.clear();
+        self.done.resize(masks, 0);
+        self.iterations.clear();
+        self.iterations.resize(schedule.loops.len(), 0);
+        self.tokens.resize_with(schedule.loops.len().max(self.tokens.len()), Vec::new);
+        self.tables.resize_with(schedule.tables.len().max(self.tables.len()), Vec::new);
+        self.tables.iter_mut().for_each(|table| empty(table));
+    }
+}
+
+/// Forgets the answers of a table.
+pub(super) fn empty(table: &mut [Table]) {
+    for sample in table {
+        sample.known.fill(0);
+    }
+}

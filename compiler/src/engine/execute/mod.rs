@@ -1,0 +1,10 @@
+//! Runs a schedule over a batch of points: the one executor batch and jit share. They differ in how
+//! a segment is run.
+
+mod asks;
+mod loops;
+mod memory;
+mod run;
+
+pub use memory::Memory;
+pub use run::Program;

@@ -1,0 +1,225 @@
+//! The regions of a schedule, over a batch of points.
+
+use crate::effects::{LightList, Renderer, TextureId};
+use crate::engine::runner::Runner;
+use crate::engine::shade::Shaded;
+use crate::schedule::{Item, RegionId, Schedule};
+use crate::specialise::Context;
+use crate::state::{Field, State};
+use crate::storage::{FileShape, LANES, Lanes, Source};
+
+use super::memory::{Frame, Memory};
+
+/// Bytes of slots a batch may fill; larger programs run fewer points at once.
+const MAX_FILE_BYTES: usize = 64 << 20;
+
+/// A schedule with the way to run its segments.
+pub struct Program<'a> {
+    /// The schedule.
+    pub schedule: &'a Schedule,
+    /// Uniform words.
+    pub uniforms: &'a [u32],
+    /// How segments are run.
+    pub runner: Runner<'a>,
+    /// Most points at once.
+    pub batch: usize,
+}
+
+impl Program<'_> {
+    /// The shape of its file: the schedule's slots, and what the runner needs besides.
+    fn shape(&self) -> FileShape {
+        FileShape { uniforms: self.uniforms.len(), slots: self.runner.slots(self.schedule) }
+    }
+
+    /// Shades `points` and writes one result each.
+    pub fn run(
+        &self,
+        points: &[State],
+        renderer: &mut dyn Renderer,
+        results: &mut [Shaded],
+        memory: &mut Memory,
+    ) {
+        let shape = self.shape();
+        let block_bytes = shape.slots.max(1) * size_of::<Lanes>();
+        let most = self.batch.div_ceil(LANES).min(MAX_FILE_BYTES / block_bytes).max(1) * LANES;
+        let chunk = most.min(self.batch.max(1));
+        let lists: Vec<LightList> =
+            self.schedule.light_lists.iter().map(|names| renderer.light_list(names)).collect();
+        let textures: Vec<TextureId> =
+            self.schedule.textures.iter().map(|texture| renderer.texture(texture)).collect();
+        for (points, results) in points.chunks(chunk).zip(results.chunks_mut(chunk)) {
+            let blocks = points.len().div_ceil(LANES);
+            memory.fit(self.schedule, self.uniforms, shape, blocks);
+            let mut run = Run {
+                program: self,
+                shape,
+                points,
+                blocks,
+                lists: &lists,
+                textures: &textures,
+                renderer,
+                memory,
+            };
+            run.load();
+            run.regions();
+            run.store(results);
+        }
+    }
+}
+
+/// A program with a batch of points.
+pub(super) struct Run<'a> {
+    pub(super) program: &'a Program<'a>,
+    pub(super) shape: FileShape,
+    pub(super) points: &'a [State],
+    pub(super) blocks: usize,
+    pub(super) lists: &'a [LightList],
+    pub(super) textures: &'a [TextureId],
+    pub(super) renderer: &'a mut dyn Renderer,
+    pub(super) memory: &'a mut Memory,
+}
+
+impl Run<'_> {
+    /// Position in the file of a source for the block.
+    #[inline]
+    fn at(&self, source: Source, block: usize) -> usize {
+        match source {
+            Source::Uniform(at) | Source::Constant { at, .. } => at as usize,
+            Source::Slot(slot) => self.shape.slot(slot, block),
+        }
+    }
+
+    #[inline]
+    pub(super) fn word(&self, source: Source, point: usize) -> u32 {
+        self.memory.lanes[self.at(source, point / LANES)].0[point % LANES]
+    }
+
+    #[inline]
+    pub(super) fn set(&mut self, slot: u32, point: usize, word: u32) {
+        let at = self.shape.slot(slot, point / LANES);
+        self.memory.lanes[at].0[point % LANES] = word;
+    }
+
+    /// Writes the state fields in use, and the mask of all points.
+    fn load(&mut self) {
+        let mut words = [0; Field::MOST_WORDS];
+        for &(field, first) in &self.program.schedule.fields {
+            let width = field.value_type().width();
+            for (point, state) in self.points.iter().enumerate() {
+                field.read(state, &mut words[..width]);
+                for (slot, word) in (first..).zip(&words[..width]) {
+                    self.set(slot, point, *word);
+                }
+            }
+        }
+        for block in 0..self.blocks {
+            let lanes = (self.points.len() - block * LANES).min(LANES);
+            self.memory.todo[block] = (0xff_u32 >> (LANES - lanes)) as u8;
+        }
+    }
+
+    fn store(&self, results: &mut [Shaded]) {
+        let root = self.program.schedule.root;
+        for (point, result) in results.iter_mut().enumerate() {
+            let word = |at| self.word(Source::Slot(root + at), point);
+            *result = Shaded {
+                color: [word(0), word(1), word(2), word(3)].map(f32::from_bits),
+                ok: word(4) != 0,
+            };
+        }
+    }
+
+    fn regions(&mut self) {
+        self.memory.stack.clear();
+        self.memory.stack.push(Frame::Region { region: 0, item: 0 });
+        while let Some(frame) = self.memory.stack.pop() {
+            match frame {
+                Frame::Region { region, item } => self.region(region, item),
+                Frame::Loop { at, within, count } => self.iterate(at, within, count),
+            }
+        }
+    }
+
+    /// Goes on with a region until another one is to be run first.
+    fn region(&mut self, region: RegionId, mut item: usize) {
+        let program = self.program;
+        while let Some(next) = program.schedule.regions[region].items.get(item) {
+            item += 1;
+            match next {
+                Item::Segment(at) => {
+                    let (shape, blocks) = (self.shape, self.blocks);
+                    let lanes = &mut self.memory.lanes;
+                    program.runner.segment(program.schedule, *at, shape, lanes, blocks);
+                }
+                Item::Force { region: forced, guard } => {
+                    if self.force(region, *forced, *guard) {
+                        self.memory.stack.push(Frame::Region { region, item });
+                        self.memory.stack.push(Frame::Region { region: *forced, item: 0 });
+                        return;
+                    }
+                }
+                Item::Request(at) => {
+                    let request = &program.schedule.requests[*at];
+                    self.choose(region);
+                    if !self.memory.chosen.is_empty() {
+                        self.request(request);
+                    }
+                }
+                Item::Loop(at) => {
+                    let count = self.start(*at, region);
+                    self.memory.stack.push(Frame::Region { region, item });
+                    self.memory.stack.push(Frame::Loop { at: *at, within: region, count });
+                    return;
+                }
+            }
+        }
+    }
+
+    /// Sets what a region is to be run for; false if nothing is left to do.
+    fn force(&mut self, from: RegionId, region: RegionId, guard: Option<Source>) -> bool {
+        let mut any = false;
+        for block in 0..self.blocks {
+            let mut mask = self.memory.todo[from * self.blocks + block];
+            if let Some(guard) = guard {
+                mask &= bits(&self.memory.lanes[self.at(guard, block)]);
+            }
+            let at = region * self.blocks + block;
+            mask &= !self.memory.done[at];
+            self.memory.done[at] |= mask;
+            self.memory.todo[at] = mask;
+            any |= mask != 0;
+        }
+        any
+    }
+
+    /// Lists the points a region is being run for.
+    pub(super) fn choose(&mut self, region: RegionId) {
+        let masks = &self.memory.todo[region * self.blocks..][..self.blocks];
+        self.memory.chosen.clear();
+        for (block, &mask) in masks.iter().enumerate() {
+            let mut rest = mask;
+            while rest != 0 {
+                self.memory.chosen.push(block * LANES + rest.trailing_zeros() as usize);
+                rest &= rest - 1;
+            }
+        }
+    }
+
+    /// The state of a point with the fields that scopes changed.
+    pub(super) fn scoped(&self, point: usize, context: &Context) -> State {
+        let mut state = self.points[point];
+        for (field, sources) in context {
+            let mut words = [0; Field::MOST_WORDS];
+            for (word, source) in words.iter_mut().zip(sources) {
+                *word = self.word(*source, point);
+            }
+            field.write(&mut state, &words);
+        }
+        state
+    }
+}
+
+/// The lanes whose mask word is set.
+fn bits(lanes: &Lanes) -> u8 {
+    lanes.0.iter().enumerate().fold(0, |bits, (lane, word)| bits | ((word >> 31) as u8) << lane)
+}

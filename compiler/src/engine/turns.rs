@@ -1,0 +1,98 @@
+//! What the turns of a loop provide, for both ways of running a graph.
+
+use crate::effects::{LightList, LightSample, Renderer};
+use crate::specialise::mix_key;
+use crate::state::{MOST_TURNS, State};
+
+/// A turn of a loop, for all points alike.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Turn {
+    /// A light sample: its list and its number there.
+    OfLights(LightList, usize),
+    /// A sample: its number, and the key of its random numbers.
+    OfSamples(usize, u64),
+}
+
+/// The points of a loop and what a turn provides to each; kept between loops so that nothing is
+/// allocated.
+#[derive(Debug, Default)]
+pub(super) struct Turning {
+    /// Of each point of a loop over lights, its state with the changes of scopes.
+    pub states: Vec<State>,
+    /// Of each point of a loop over samples, the key of its path and how many it takes.
+    pub paths: Vec<(u64, usize)>,
+    /// Words of the fields that are provided, point by point.
+    pub words: Vec<u32>,
+    /// Per point, whether it takes part in the turn.
+    pub reached: Vec<bool>,
+    /// Per point, the token of the light sample.
+    pub tokens: Vec<u64>,
+    samples: Vec<LightSample>,
+}
+
+/// How many turns a count stands for.
+pub(super) fn turns_of(count: u32) -> usize {
+    (count as i32).clamp(0, MOST_TURNS) as usize
+}
+
+impl Turning {
+    /// Makes it ready for other points.
+    pub(super) fn clear(&mut self) {
+        self.states.clear();
+        self.paths.clear();
+    }
+
+    /// Finds what a turn provides.
+    pub(super) fn turn(&mut self, turn: Turn, renderer: &mut dyn Renderer) {
+        self.words.clear();
+        self.reached.clear();
+        self.tokens.clear();
+        match turn {
+            Turn::OfLights(list, number) => self.light(list, number, renderer),
+            Turn::OfSamples(number, key) => self.sample(number, key),
+        }
+    }
+
+    fn light(&mut self, list: LightList, number: usize, renderer: &mut dyn Renderer) {
+        self.samples.clear();
+        self.samples.resize(self.states.len(), LightSample::default());
+        renderer.light_samples(list, number, &self.states, &mut self.samples);
+        for sample in &self.samples {
+            self.words.extend(sample.direction.map(f32::to_bits));
+            self.words.push(sample.distance.to_bits());
+            self.reached.push(sample.reachable);
+            self.tokens.push(sample.token);
+        }
+    }
+
+    fn sample(&mut self, number: usize, key: u64) {
+        for &(path, count) in &self.paths {
+            let [u, v] = drawn(mix_key(path ^ key));
+            self.words.extend([number as u32, u.to_bits(), v.to_bits()]);
+            self.reached.push(number < count);
+            self.tokens.push(0);
+        }
+    }
+}
+
+/// Two numbers of 24 bits each, from 0 to below 1.
+fn drawn(key: u64) -> [f32; 2] {
+    [key >> 40, key >> 16 & 0xff_ffff].map(|bits| bits as f32 / 16_777_216.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_drawn_below_one() {
+        assert_eq!(drawn(u64::MAX), [1.0 - 2.0_f32.powi(-24); 2]);
+        assert_eq!(drawn(0xffff), [0.0, 0.0]);
+        assert_eq!(drawn(1 << 63 | 1 << 39), [0.5, 0.5]);
+    }
+
+    #[test]
+    fn no_loop_is_endless() {
+        assert_eq!([0, 3, u32::MAX, i32::MAX as u32].map(turns_of), [0, 3, 0, 1 << 16]);
+    }
+}

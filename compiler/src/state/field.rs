@@ -1,0 +1,194 @@
+//! The table of the fields of the state.
+
+use std::ops::RangeInclusive;
+
+use crate::values::Type;
+
+use super::held::Held;
+use super::iterated::Iterated;
+use super::shading_point::State;
+
+/// Declares the fields: name, type, range, and where the state holds it or which loop provides it.
+macro_rules! fields {
+    ($($(#[doc = $doc:literal])+ $variant:ident $name:literal $type:ident $(in $range:expr)?, $how:tt $place:tt;)+) => {
+        /// A field of the state that nodes can read.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Field { $($(#[doc = $doc])+ $variant,)+ }
+
+        impl Field {
+            /// Every field, those of loops last.
+            pub const ALL: &'static [Field] = &[$(Field::$variant),+];
+
+            /// Words of the widest field.
+            pub const MOST_WORDS: usize = {
+                let (mut most, mut at) = (0, 0);
+                while at < Field::ALL.len() {
+                    let width = Field::ALL[at].value_type().width();
+                    most = if width > most { width } else { most };
+                    at += 1;
+                }
+                most
+            };
+
+            /// Name in graph files and on the command line.
+            pub fn name(self) -> &'static str {
+                match self { $(Field::$variant => $name,)+ }
+            }
+
+            /// Meaning and unit.
+            pub fn doc(self) -> &'static str {
+                match self { $(Field::$variant => concat!($($doc),+).trim_ascii(),)+ }
+            }
+
+            /// Its type.
+            pub const fn value_type(self) -> Type {
+                match self { $(Field::$variant => Type::$type,)+ }
+            }
+
+            /// The values it takes, per component, where the renderer keeps it within some: what it
+            /// builds states from, and what scopes make of unit vectors. None where it may be anything.
+            pub fn range(self) -> Option<RangeInclusive<f64>> {
+                match self { $(Field::$variant => fields!(@range $($range)?),)+ }
+            }
+
+            /// The loop that provides it; none for those of the point.
+            pub fn of_loop(self) -> Option<Iterated> {
+                match self { $(Field::$variant => fields!(@loop $how $place),)+ }
+            }
+
+            /// Writes its words, [`Field::value_type`] wide, as they are in `state`; zeros for those of
+            /// loops, which no state holds.
+            #[inline]
+            pub fn read(self, state: &State, words: &mut [u32]) {
+                match self { $(Field::$variant => fields!(@read $how $place, state, words),)+ }
+            }
+
+            /// Sets the field from its words; those of loops are not kept.
+            #[inline]
+            pub fn write(self, state: &mut State, words: &[u32]) {
+                match self { $(Field::$variant => fields!(@write $how $place, state, words),)+ }
+            }
+        }
+    };
+    (@range) => { None };
+    (@range $range:expr) => { Some($range) };
+    (@loop held $place:tt) => { None };
+    (@loop of $loop:ident) => { Some(Iterated::$loop) };
+    (@read held ($($place:tt)+), $state:ident, $words:ident) => { $state.$($place)+.read($words) };
+    (@read of $loop:ident, $state:ident, $words:ident) => { $words.fill(0) };
+    (@write held ($($place:tt)+), $state:ident, $words:ident) => { $state.$($place)+.write($words) };
+    (@write of $loop:ident, $state:ident, $words:ident) => { () };
+}
+
+/// Components of unit vectors.
+const UNIT: RangeInclusive<f64> = -1.0..=1.0;
+/// A product of two unit vectors, each rounded.
+const COSINE: RangeInclusive<f64> = -1.0 - 1e-6..=1.0 + 1e-6;
+/// Distances beyond the largest number are infinite.
+const DISTANCE: RangeInclusive<f64> = 0.0..=f64::INFINITY;
+/// Pixels.
+const RASTER: RangeInclusive<f64> = 0.0..=f32::MAX as f64;
+/// Counts.
+const COUNT: RangeInclusive<f64> = 0.0..=i32::MAX as f64;
+
+fields! {
+    /// Origin of the ray, world space.
+    Origin "origin" Vector, held (origin);
+    /// Unit direction of the ray, towards the surface.
+    Direction "direction" Vector in UNIT, held (direction);
+    /// The point that is shaded, world space.
+    Point "point" Vector, held (point);
+    /// Unit shading normal, on the side the ray came from.
+    Normal "normal" Vector in UNIT, held (normal);
+    /// Unit geometric normal, on the side the ray came from.
+    NormalGeom "normal_geom" Vector in UNIT, held (normal_geom);
+    /// Shading normal times ray direction, at most 0 unless a scope bends the normal.
+    DotNd "dot_nd" Scalar in COSINE, held (dot_nd);
+    /// Distance from the ray's origin to the point; 0 where it hit nothing.
+    Dist "dist" Scalar in DISTANCE, held (dist);
+    /// Whether the surface was hit from inside.
+    InvNormal "inv_normal" Boolean, held (inv_normal);
+    /// Index of refraction of the outgoing medium; 0 means unset.
+    Ior "ior" Scalar, held (ior);
+    /// Index of refraction of the incoming medium; 0 means unset, read as 1.
+    IorIn "ior_in" Scalar, held (ior_in);
+    /// First surface coordinate.
+    U "u" Scalar, held (uv[0]);
+    /// Second surface coordinate.
+    V "v" Scalar, held (uv[1]);
+    /// Time within the shutter, 0 to 1.
+    Time "time" Scalar in 0.0..=1.0, held (time);
+    /// Horizontal film position in pixels, from the left.
+    RasterX "raster_x" Scalar in RASTER, held (raster[0]);
+    /// Vertical film position in pixels, from the top.
+    RasterY "raster_y" Scalar in RASTER, held (raster[1]);
+    /// Why the ray was cast: 0 eye, 1 reflection, 2 refraction, 3 transparent, 4 shadow, 5 environment, 6 displace.
+    RayType "ray_type" Integer in 0.0..=6.0, held (ray_type);
+    /// Reflections so far.
+    ReflectionLevel "reflection_level" Integer in COUNT, held (reflection_level);
+    /// Refractions and transparencies so far.
+    RefractionLevel "refraction_level" Integer in COUNT, held (refraction_level);
+    /// Colour handed on by the shader before in the list of a root; for the first what the renderer starts from: white for shadows, else zero.
+    Incoming "incoming" Color, held (incoming);
+    /// Unit direction towards the light sample; only inside a light loop.
+    LightDirection "light_direction" Vector in UNIT, of Lights;
+    /// Distance to the light sample, 0 for one at infinity; only inside a light loop.
+    LightDistance "light_distance" Scalar in DISTANCE, of Lights;
+    /// Number of the sample, from 0; only inside a sample loop.
+    SampleIndex "sample_index" Integer in COUNT, of Samples;
+    /// First number drawn for the sample, 0 to below 1; only inside a sample loop.
+    SampleU "sample_u" Scalar in 0.0..=1.0, of Samples;
+    /// Second number drawn for the sample, 0 to below 1; only inside a sample loop.
+    SampleV "sample_v" Scalar in 0.0..=1.0, of Samples;
+}
+
+impl Field {
+    /// The field called `name` in graph files.
+    pub fn from_name(name: &str) -> Option<Field> {
+        Field::ALL.iter().copied().find(|field| field.name() == name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::ray_type::RayType;
+    use super::*;
+
+    #[test]
+    fn numbers_of_ray_types_lead_back_and_the_field_tells_them() {
+        let told: Vec<String> =
+            RayType::ALL.iter().map(|it| format!("{} {}", *it as i32, it.name())).collect();
+        let doc = format!("Why the ray was cast: {}.", told.join(", "));
+        assert_eq!(Field::RayType.doc(), doc);
+        for (at, ray_type) in RayType::ALL.into_iter().enumerate() {
+            assert_eq!(RayType::from_number(at as i32), ray_type);
+        }
+        assert_eq!(RayType::from_number(-1), RayType::Eye);
+        assert_eq!(RayType::from_number(7), RayType::Eye);
+    }
+
+    #[test]
+    fn what_is_written_is_read_and_nothing_else_changes() {
+        let read = |field: Field, state: &State| {
+            let mut words = vec![0; field.value_type().width()];
+            field.read(state, &mut words);
+            words
+        };
+        for &field in Field::ALL {
+            let mut state = State::default();
+            let mut words = vec![3; field.value_type().width()];
+            if field.value_type() == Type::Boolean {
+                words[0] = u32::MAX;
+            }
+            field.write(&mut state, &words);
+            match field.of_loop() {
+                Some(_) => assert_eq!(read(field, &state), vec![0; words.len()]),
+                None => assert_eq!(read(field, &state), words, "{field:?}"),
+            }
+            for &other in Field::ALL.iter().filter(|other| **other != field) {
+                assert_eq!(read(other, &state), read(other, &State::default()), "{field:?}");
+            }
+            assert!(words.len() <= Field::MOST_WORDS);
+        }
+    }
+}
