@@ -272,3 +272,42 @@ fn requirements_are_joined_over_files() {
     assert_eq!(with("segments"), [Code::CONFLICTING_REQUIREMENTS]);
     assert_eq!(with("off"), [Code::CONFLICTING_REQUIREMENTS]);
 }
+
+/// A pattern with a count and a choice of its own.
+fn pattern() -> (&'static str, String) {
+    let text = r#"{ "phenomenon": "pattern", "interface": {
+        "octaves": { "type": "integer", "default": 2, "min": 1, "max": 8 },
+        "kind": { "type": "integer", "default": 0, "values": ["noise", "turbulence"] } },
+        "nodes": { "n": { "type": "perlin_noise", "inputs": {
+            "octaves": { "interface": "octaves" }, "kind": { "interface": "kind" } } } },
+        "roots": { "material": { "node": "n" } } }"#;
+    ("pattern.json", text.to_owned())
+}
+
+/// What uses it with these inputs.
+fn patterned(inputs: &str) -> Vec<(&'static str, String)> {
+    let text = format!(
+        r#"{{ "phenomenon": "user", "interface": {{
+            "any": {{ "type": "integer", "default": 2 }},
+            "few": {{ "type": "integer", "default": 2, "min": 1, "max": 4 }} }},
+            "nodes": {{ "s": {{ "type": "state" }},
+                "p": {{ "type": {{ "file": "pattern.json" }}, "inputs": {{ {inputs} }} }} }},
+            "roots": {{ "material": {{ "node": "p" }} }} }}"#
+    );
+    vec![("user.json", text), pattern()]
+}
+
+#[test]
+fn what_is_known_before_shading_is_so_from_outside() {
+    let of = |inputs: &str| {
+        let checked = check(&patterned(inputs));
+        let findings = checked.findings.iter().map(|finding| finding.code);
+        let unused = [Code::UNUSED_PARAMETER, Code::UNREACHABLE_NODE];
+        findings.filter(|code| !unused.contains(code)).collect::<Vec<_>>()
+    };
+    assert_eq!(of(r#""octaves": 4, "kind": "turbulence""#), []);
+    assert_eq!(of(r#""octaves": { "interface": "few" }"#), []);
+    assert_eq!(of(r#""octaves": { "interface": "any" }"#), [Code::FIXED_INPUT]);
+    assert_eq!(of(r#""octaves": { "node": "s", "output": "ray_type" }"#), [Code::FIXED_INPUT]);
+    assert_eq!(of(r#""octaves": 9"#), [Code::NUMBER_OUT_OF_RANGE]);
+}

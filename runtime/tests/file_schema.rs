@@ -65,6 +65,14 @@ fn every_node_and_input_is_in_the_schema() {
         assert_eq!(inputs.keys().map(String::as_str).collect::<Vec<_>>(), names);
         for (input, schema) in signature.inputs.iter().zip(inputs.values()) {
             assert!(schema["description"].as_str().unwrap().starts_with(&input.doc));
+            if input.fixed {
+                let given = schema["anyOf"].as_array().unwrap();
+                let number = given.iter().find(|it| it["type"] == "integer").unwrap();
+                assert_eq!(number["maximum"].as_f64(), Some(*input.range.end()));
+                let names = given.iter().find_map(|it| it["enum"].as_array());
+                assert_eq!(names.map_or(0, Vec::len), input.choices.len());
+                continue;
+            }
             let reference = schema["allOf"][0]["$ref"].as_str().unwrap();
             let pointer = reference.strip_prefix('#').unwrap();
             assert!(whole.pointer(pointer).is_some(), "{reference}");

@@ -4,7 +4,9 @@
 //! what reads the light of a loop is demanded below loops only.
 
 use phenomenon_compiler::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
-use phenomenon_compiler::nodes::{DefaultValue, FINITE, Kind, NodeLibrary, NodeType, Signature};
+use phenomenon_compiler::nodes::{
+    DefaultValue, FINITE, Input, Kind, NodeLibrary, NodeType, Signature,
+};
 use phenomenon_compiler::state::{Field, Iterated};
 use phenomenon_compiler::values::{Literal, Type};
 
@@ -144,6 +146,9 @@ impl<'a> Growing<'a> {
             .inputs
             .iter()
             .map(|input| {
+                if input.fixed {
+                    return self.fixed(input);
+                }
                 let required = matches!(input.default, DefaultValue::Required);
                 let to = settled(input.value_type);
                 self.binding(to, required, input.scoped, is_loop && input.scoped)
@@ -176,6 +181,18 @@ impl<'a> Growing<'a> {
         let reads = reads::of_node(self.library, node, &of_output);
         nested_loops += usize::from(is_loop);
         Facts { outputs, reads, below, nested_loops, asks, used: false }
+    }
+
+    /// What an input known before shading is given: a number in its range.
+    fn fixed(&mut self, input: &Input) -> Binding {
+        let (least, most) = (*input.range.start() as i32, *input.range.end() as i32);
+        match self.random.below(3) {
+            0 => Binding::Default,
+            _ => {
+                let number = least + self.random.below((most - least + 1) as usize) as i32;
+                Binding::Literal(Literal::Integer(number))
+            }
+        }
     }
 
     fn binding(&mut self, to: Type, required: bool, scoped: bool, of_loop: bool) -> Binding {

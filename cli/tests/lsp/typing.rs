@@ -131,3 +131,15 @@ fn places_count_in_utf_16_on_lines_that_are_not_ascii() {
     }
     editor.end();
 }
+
+#[test]
+fn an_input_that_is_a_choice_offers_its_names() {
+    let mut editor = Editor::start();
+    let node = |input: &str| {
+        format!(
+            r#"{{ "phenomenon": "p", "nodes": {{ "n": {{ "type": "perlin_noise", "inputs": {{ {input} }} }} }}, "roots": {{ "material": {{ "node": "n" }} }} }}"#
+        )
+    };
+    assert_eq!(editor.labels(&node(r#""kind": "|""#)), ["noise", "turbulence"]);
+    assert!(editor.labels(&node(r#""octaves": |"#)).is_empty());
+}

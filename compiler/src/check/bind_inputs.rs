@@ -12,7 +12,7 @@ use super::limits::MAX_NODES;
 use super::literals::Room;
 use super::type_names::with_article;
 use super::types::{Types, overload};
-use super::{lists, literals, mismatch, references};
+use super::{fixed_inputs, lists, literals, mismatch, references};
 
 /// The nodes and the roots. Nodes of unknown type are left out: they made a finding, and then there
 /// is no graph. Nodes that lists of shaders take come after those of the file.
@@ -193,12 +193,15 @@ fn bind_node<'d>(
             format!("input `{name}` of node `{of}` ({})", signature.name)
         };
         let Some(to) = to else { continue };
+        let declared = &signature.inputs[at];
+        if declared.fixed && !fixed_inputs::suits(reader, draft, &input.source, declared, &what) {
+            continue;
+        }
         let value = input.source.value;
         if let (Some(labels), ValueKind::String(_)) = (labels(draft, node_type, at), &value.kind)
             && input.source.kind == SourceKind::Literal
         {
-            let choices: Vec<(&str, i32)> =
-                (0..).zip(labels).map(|(at, it)| (it.as_str(), at)).collect();
+            let choices: Vec<(&str, i32)> = (0..).zip(labels).map(|(at, it)| (it, at)).collect();
             if references::report(reader, draft, value, None, &what) {
                 continue;
             }
@@ -227,10 +230,13 @@ fn due(source: &Source<'_>, input: &Input, generic: Option<Type>) -> Option<Type
     if hopeless { Some(Type::Generic) } else { generic }
 }
 
-/// The names of an enumeration that an input of a phenomenon is.
-fn labels<'a>(draft: &'a Draft<'_>, node_type: NodeType, input: usize) -> Option<&'a [String]> {
-    let labels = &draft.nested.get(&node_type)?.graph.parameters[input].labels;
-    (!labels.is_empty()).then_some(labels.as_slice())
+/// The names of the enumeration that an input is: a choice, or a parameter of a phenomenon.
+fn labels<'a>(draft: &'a Draft<'_>, node_type: NodeType, input: usize) -> Option<Vec<&'a str>> {
+    let labels: Vec<&str> = match draft.nested.get(&node_type) {
+        Some(nested) => nested.graph.parameters[input].labels.iter().map(String::as_str).collect(),
+        None => draft.node_types.signature(node_type).inputs[input].choices.into(),
+    };
+    (!labels.is_empty()).then_some(labels)
 }
 
 /// Reports inputs that must be given and are not, unless a misspelt one was surely meant for it.

@@ -19,6 +19,7 @@ mod declarations;
 mod draft;
 mod expand;
 mod files;
+mod fixed_inputs;
 mod graph;
 mod hazards;
 mod interface;

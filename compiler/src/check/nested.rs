@@ -23,6 +23,8 @@ pub(super) struct Nested {
     pub shapes: Vec<(String, Shape)>,
     /// Positions of its parameters.
     pub positions: HashMap<String, usize>,
+    /// For each parameter, whether some node must know it before shading.
+    pub fixed: Vec<bool>,
     /// What it asks below the root whose value it has as a node: requests and loops, each once.
     pub asks: Vec<Kind>,
 }
@@ -37,7 +39,9 @@ impl Nested {
     ) -> Self {
         let names = graph.parameters.iter().enumerate();
         let positions = names.map(|(at, parameter)| (parameter.name.clone(), at)).collect();
-        let mut nested = Self { graph, outside_loops, shapes, positions, asks: Vec::new() };
+        let fixed = find_fixed(library, &graph);
+        let asks = Vec::new();
+        let mut nested = Self { graph, outside_loops, shapes, positions, fixed, asks };
         nested.asks = nested.find_asks(library);
         nested
     }
@@ -76,11 +80,12 @@ impl Nested {
             .graph
             .parameters
             .iter()
-            .map(|parameter| {
+            .zip(&self.fixed)
+            .map(|(parameter, &fixed)| {
                 let default = parameter.default.clone();
                 let input =
                     Input::new(interned(&parameter.name), &[], parameter.value_type, default);
-                Input { doc: parameter.doc.clone(), ..input.within(parameter.range.clone()) }
+                Input { doc: parameter.doc.clone(), fixed, ..input.within(parameter.range.clone()) }
             })
             .collect();
         Definition::without_body(Signature {
@@ -96,6 +101,20 @@ impl Nested {
             kind: Kind::Plain,
         })
     }
+}
+
+/// For each parameter, whether an input takes it that is known before shading.
+fn find_fixed(library: &NodeLibrary, graph: &Graph) -> Vec<bool> {
+    let mut fixed = vec![false; graph.parameters.len()];
+    for node in &graph.nodes {
+        let inputs = &library.signature(node.node_type).inputs;
+        for (input, binding) in inputs.iter().zip(&node.inputs) {
+            if let (true, Binding::Parameter(parameter)) = (input.fixed, binding) {
+                fixed[*parameter] = true;
+            }
+        }
+    }
+    fixed
 }
 
 /// A name that lives as long as the program, as signatures want it. Each different name is kept

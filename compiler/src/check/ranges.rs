@@ -31,13 +31,17 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
             };
             match given.source.kind {
                 SourceKind::Literal => {
-                    // The ranges of a phenomenon's parameters are enforced, those of nodes are not.
-                    let code = match draft.nested.contains_key(&node_type) {
+                    // The ranges of a phenomenon's parameters are enforced, and of what is known
+                    // before shading; those of other inputs are not.
+                    let enforced = input.fixed || draft.nested.contains_key(&node_type);
+                    let code = match enforced {
                         true => Code::NUMBER_OUT_OF_RANGE,
                         false => Code::LITERAL_OUT_OF_RANGE,
                     };
                     literal(reader, given.source.value, input, code, &what);
                 }
+                // Told of where it is bound.
+                SourceKind::Parameter(_) if input.fixed => {}
                 SourceKind::Parameter(parameter) => {
                     let words = intervals.arriving(draft, node, at);
                     let sources = words.iter().fold(0, |sources, word| sources | word.sources);

@@ -178,6 +178,10 @@ codes! {
         "An integer becomes a scalar, and a scalar a grey color, without being asked; any other change of type is a node of its own, so that the file says what is meant.",
         wrong r#"{ "phenomenon": "a", "nodes": { "s": { "type": "state" } }, "roots": { "material": { "node": "s", "output": "normal" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "s": { "type": "state" } }, "roots": { "material": { "node": "s", "output": "dot_nd" } } }"#;
+    FIXED_INPUT "fixed-input" Error "What is known before shading, given by what is not",
+        "Counts and choices are known before a point is shaded, because the code is made for their value: a loop runs that often, a choice leaves the others out. So a literal gives them, or a parameter that never leaves the range of the input, and no node.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "s": { "type": "state" }, "n": { "type": "perlin_noise", "inputs": { "octaves": { "node": "s", "output": "ray_type" } } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "octaves": { "type": "integer", "default": 4, "min": 1, "max": 8 } }, "nodes": { "n": { "type": "perlin_noise", "inputs": { "octaves": { "interface": "octaves" } } } }, "roots": { "material": { "node": "n" } } }"#;
     CYCLE "cycle" Error "Nodes that feed themselves",
         "The value of each node on the path depends on itself, so none can be computed. The finding shows the whole path; break it at one of its connections.",
         wrong r#"{ "phenomenon": "a", "nodes": { "x": { "type": "add", "inputs": { "a": { "node": "y" } } }, "y": { "type": "add", "inputs": { "a": { "node": "x" } } } }, "roots": { "material": { "node": "x" } } }"#,

@@ -9,7 +9,7 @@ use std::mem::MaybeUninit;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
 use super::methods::standard_functions;
-use super::{Bits, Emit, Int, Mask, Real, Select, Sink, Words};
+use super::{Bits, Emit, Int, Mask, Real, Select, Sink, Table, Words};
 use crate::emit::Body;
 use crate::storage::{Lanes, Placement, Source};
 
@@ -52,6 +52,13 @@ impl Emit for Avx2 {
     fn mask(self, value: bool) -> Bool8 {
         let bits = if value { -1 } else { 0 };
         Bool8(simd!(_mm256_castsi256_ps(_mm256_set1_epi32(bits))))
+    }
+    #[inline(always)]
+    fn table(self, table: Table, index: I32x8) -> F32x8 {
+        let (first, last) = simd!((_mm256_setzero_si256(), _mm256_set1_epi32(table.last())));
+        let within = simd!(_mm256_min_epi32(_mm256_max_epi32(index.0, first), last));
+        // SAFETY: the positions are those of the table's numbers now, and see `simd`.
+        F32x8(unsafe { _mm256_i32gather_ps::<4>(table.numbers().as_ptr(), within) })
     }
 }
 
@@ -294,6 +301,10 @@ impl Words<Avx2> for Inputs<'_> {
     #[inline(always)]
     fn mask(&self, index: usize) -> Bool8 {
         Bool8(self.load(index))
+    }
+    #[inline(always)]
+    fn fixed(&self, index: usize) -> i32 {
+        simd!(_mm256_cvtsi256_si32(_mm256_castps_si256(self.load(index))))
     }
 }
 

@@ -1,5 +1,6 @@
 //! What a back end offers.
 
+use super::Table;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
 /// A back end: makes constants, from which [`Real`], [`Int`] and [`Mask`] values are computed.
@@ -16,6 +17,8 @@ pub trait Emit: Copy {
     fn int(self, value: i32) -> Self::Int;
     /// The constant `value`.
     fn mask(self, value: bool) -> Self::Mask;
+    /// The number of a table at a position; outside the table that of its nearer end.
+    fn table(self, table: Table, index: Self::Int) -> Self::Real;
 }
 
 /// Chosen lane by lane; see [`Mask::select`].

@@ -18,9 +18,11 @@ mod methods;
 pub mod scalar;
 mod shapes;
 pub mod standard;
+mod table;
 mod words;
 
 pub use back_end::{Bits, Emit, Int, Mask, Real, Select};
 pub use body::{Body, MAX_OUTPUTS};
 pub use shapes::{Color, Components, One, Transform, Vector};
+pub use table::Table;
 pub use words::{Sink, Words, read_color, read_transform, read_vector, write_color, write_vector};

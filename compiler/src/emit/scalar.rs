@@ -3,7 +3,7 @@
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
 use super::methods::standard_functions;
-use super::{Bits, Emit, Int, Mask, Real, Select, Sink, Words};
+use super::{Bits, Emit, Int, Mask, Real, Select, Sink, Table, Words};
 
 /// The back end of one `f32` point.
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +34,10 @@ impl Emit for Scalar {
     #[inline(always)]
     fn mask(self, value: bool) -> Bool {
         Bool(value)
+    }
+    #[inline(always)]
+    fn table(self, table: Table, index: I32) -> F32 {
+        F32(table.at(index.0))
     }
 }
 
@@ -228,6 +232,10 @@ impl Words<Scalar> for &[u32] {
     #[inline(always)]
     fn mask(&self, index: usize) -> Bool {
         Bool(self[index] != 0)
+    }
+    #[inline(always)]
+    fn fixed(&self, index: usize) -> i32 {
+        self[index] as i32
     }
 }
 

@@ -10,6 +10,8 @@ pub trait Words<E: Emit> {
     fn int(&self, index: usize) -> E::Int;
     /// Word `index` as a truth value (all bits set, or none).
     fn mask(&self, index: usize) -> E::Mask;
+    /// Word `index` as the plain number it is for all points: that of an input known before shading.
+    fn fixed(&self, index: usize) -> i32;
 }
 
 /// Words a body writes.

@@ -6,7 +6,7 @@ use std::array::from_fn;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
 use crate::emit::scalar::{Bool, F32, I32};
-use crate::emit::{Emit, Int, Mask, Real, Select};
+use crate::emit::{Emit, Int, Mask, Real, Select, Table};
 use crate::storage::LANES;
 
 /// The back end.
@@ -29,6 +29,9 @@ impl Emit for Eights {
     }
     fn mask(self, value: bool) -> Eight<Bool> {
         Eight([Bool(value); LANES])
+    }
+    fn table(self, table: Table, index: Eight<I32>) -> Eight<F32> {
+        Eight(index.0.map(|index| F32(table.at(index.0))))
     }
 }
 

@@ -1,7 +1,7 @@
 //! The entries through which bodies run natively: for one point, and for blocks of eight.
 
 use super::block;
-use super::recorded::{Recorded, recorder};
+use super::recorded::{Recorded, kept, recorder};
 use crate::emit::Body;
 use crate::emit::scalar::Scalar;
 use crate::storage::{Lanes, Placement};
@@ -18,6 +18,12 @@ pub fn native_simd() -> bool {
     }
 }
 
+/// What `B` recorded, for what it knows before shading.
+fn recorded<B: Body>(word: &dyn Fn(usize) -> u32) -> &'static Recorded {
+    let fixed = B::fixed(word);
+    Recorded::of(recorder::<B>, B::OUTPUTS, if fixed.is_empty() { &[] } else { kept(&fixed) })
+}
+
 /// Runs `B` for one point: compiled with fused multiply-add where the CPU has it, from its operations
 /// where it has not.
 #[cfg(target_arch = "x86_64")]
@@ -30,7 +36,7 @@ pub(super) fn scalar<B: Body>(inputs: &[u32], outputs: &mut [u32]) {
         // SAFETY: the features were detected.
         return unsafe { with_fma::<B>(inputs, outputs) };
     }
-    super::point::run(Recorded::of(recorder::<B>, B::OUTPUTS), inputs, outputs);
+    super::point::run(recorded::<B>(&|word| inputs[word]), inputs, outputs);
 }
 
 /// Runs `B` for one point.
@@ -47,5 +53,7 @@ pub(super) fn wide<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
         // SAFETY: the features were detected.
         return unsafe { crate::emit::avx2::run::<B>(lanes, placement) };
     }
-    block::run(Recorded::of(recorder::<B>, B::OUTPUTS), lanes, placement);
+    let word = |word| lanes[placement.input(word, 0)].0[0];
+    let recorded = recorded::<B>(&word);
+    block::run(recorded, lanes, placement);
 }

@@ -1,6 +1,6 @@
 //! A node's body in every form, with its type erased.
 
-use super::recorded::{Recorded, Recorder, recorder};
+use super::recorded::{Fixed, Recorded, Recorder, kept, recorder};
 use super::{block, point, sets};
 use crate::emit::interval::Word;
 use crate::emit::{Body, MAX_OUTPUTS};
@@ -17,6 +17,8 @@ pub struct BodyForms {
     /// Blocks of eight points.
     pub wide: fn(lanes: &mut [Lanes], placement: &Placement<'_>),
     recorder: Recorder,
+    /// Input words known before shading.
+    fixed: Fixed,
     /// Words written.
     pub outputs: usize,
 }
@@ -35,13 +37,21 @@ impl BodyForms {
             scalar: super::entries::scalar::<B>,
             wide: super::entries::wide::<B>,
             recorder: recorder::<B>,
+            fixed: &[],
             outputs: B::OUTPUTS,
         }
     }
 
+    /// The same where these input words are known before shading: what it records is for those numbers
+    /// alone. Native forms read them from the words as they do the others.
+    #[must_use]
+    pub fn with_fixed(self, fixed: &[(usize, i32)]) -> Self {
+        if fixed.is_empty() { self } else { Self { fixed: kept(fixed), ..self } }
+    }
+
     /// Its operations.
     pub fn recorded(&self) -> &'static Recorded {
-        Recorded::of(self.recorder, self.outputs)
+        Recorded::of(self.recorder, self.outputs, self.fixed)
     }
 
     /// Appends its operations to a tape.
@@ -66,6 +76,7 @@ impl BodyForms {
 
     /// Runs the body itself over a tape, as [`BodyForms::record`] repeats it: what tests hold that to.
     pub fn record_anew(&self, tape: &Tape, inputs: &[OpId], outputs: &mut [OpId]) {
-        (self.recorder)(&crate::ops::TapeInputs::given(tape, inputs), outputs);
+        let inputs = crate::ops::TapeInputs::given(tape, inputs).with_fixed(self.fixed);
+        (self.recorder)(&inputs, outputs);
     }
 }

@@ -1,7 +1,7 @@
 //! What a body recorded, once, for all that evaluates operations instead of running it.
 
-use std::collections::HashMap;
-use std::sync::{LazyLock, OnceLock, PoisonError, RwLock};
+use std::collections::{BTreeSet, HashMap};
+use std::sync::{LazyLock, Mutex, OnceLock, PoisonError, RwLock};
 
 use crate::emit::Body;
 use crate::ops::legalise::replay;
@@ -13,6 +13,22 @@ pub(super) type Recorder = fn(inputs: &TapeInputs<'_>, outputs: &mut [OpId]);
 /// The recorder of `B`.
 pub(super) fn recorder<B: Body>(inputs: &TapeInputs<'_>, mut outputs: &mut [OpId]) {
     B::run(inputs.tape(), inputs, &mut outputs);
+}
+
+/// Input words known before shading, with their numbers.
+pub(super) type Fixed = &'static [(usize, i32)];
+
+/// These, each different list kept once, for as long as the program runs: there are as many as ways to
+/// give nodes their counts and choices.
+pub(super) fn kept(fixed: &[(usize, i32)]) -> Fixed {
+    static ALL: Mutex<BTreeSet<Fixed>> = Mutex::new(BTreeSet::new());
+    let mut all = ALL.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = all.get(fixed) {
+        return known;
+    }
+    let leaked: Fixed = Box::leak(fixed.into());
+    all.insert(leaked);
+    leaked
 }
 
 /// The operations of a body. `Load(n)` is its input word `n`.
@@ -28,21 +44,22 @@ pub struct Recorded {
 impl Recorded {
     /// What this recorder records, for that many output words. It is recorded when first asked for, and
     /// kept as long as the program runs: there are as many as bodies.
-    pub(super) fn of(recorder: Recorder, outputs: usize) -> &'static Self {
-        static ALL: LazyLock<RwLock<HashMap<(usize, usize), &'static Recorded>>> =
-            LazyLock::new(RwLock::default);
-        let key = (recorder as usize, outputs);
+    pub(super) fn of(recorder: Recorder, outputs: usize, fixed: Fixed) -> &'static Self {
+        type All = HashMap<(usize, usize, Fixed), &'static Recorded>;
+        static ALL: LazyLock<RwLock<All>> = LazyLock::new(RwLock::default);
+        let key = (recorder as usize, outputs, fixed);
         let known = ALL.read().unwrap_or_else(PoisonError::into_inner).get(&key).copied();
         known.unwrap_or_else(|| {
             let mut all = ALL.write().unwrap_or_else(PoisonError::into_inner);
-            all.entry(key).or_insert_with(|| Box::leak(Box::new(Self::new(recorder, outputs))))
+            all.entry(key)
+                .or_insert_with(|| Box::leak(Box::new(Self::new(recorder, outputs, fixed))))
         })
     }
 
-    fn new(recorder: Recorder, outputs: usize) -> Self {
+    fn new(recorder: Recorder, outputs: usize, fixed: Fixed) -> Self {
         let tape = Tape::new();
         let mut ids = vec![0; outputs];
-        recorder(&TapeInputs::loads(&tape), &mut ids);
+        recorder(&TapeInputs::loads(&tape).with_fixed(fixed), &mut ids);
         Self { ops: tape.into_ops(), outputs: ids, weight: OnceLock::new() }
     }
 

@@ -92,7 +92,7 @@ impl Trial {
                 (signature.inputs.iter())
                     .flat_map(|input| {
                         let value_type = settled(input.value_type, overload);
-                        random.words(value_type, &input.range, anywhere)
+                        random.words(value_type, &input.range, anywhere && !input.fixed)
                     })
                     .collect()
             })
@@ -197,10 +197,11 @@ fn canonical(words: &[u32]) -> Vec<u32> {
 fn every_overload(mut visit: impl FnMut(&Definition, &Overload, &BodyForms)) {
     let mut library = NodeLibrary::standard();
     library.add(super::adding_a_node::contrast::definition());
-    for (_, definition) in library.iter() {
+    library.add(super::fixed_inputs::powers::definition());
+    for definition in library.iter().flat_map(|(_, definition)| definition.settled()) {
         for overload in &definition.overloads {
             if let Some(code) = &overload.code {
-                visit(definition, overload, code);
+                visit(&definition, overload, code);
             }
         }
     }
@@ -357,6 +358,8 @@ fn signatures_are_sound() {
             assert_eq!(signature.input(input.name), Some(at), "{name}.{} twice", input.name);
             let guards = definition.overloads.iter().map(|overload| &overload.guards[at]);
             assert!(guards.map(Option::is_some).all(|guard| guard == input.guarded));
+            let named = input.choices.is_empty() || input.fixed;
+            assert!(named && (!input.fixed || input.value_type == Type::Integer), "{name}");
             check_default(&library, name, input);
         }
         for (at, output) in signature.outputs.iter().enumerate() {

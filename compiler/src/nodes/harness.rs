@@ -72,7 +72,9 @@ pub fn numbers(definition: &Definition, given: &[(&str, Literal)], output: &str)
     let signature = &definition.signature;
     let overload = overload(definition, given);
     let inputs = words(definition, overload, given);
-    let code = overload.code.expect("the node has a body");
+    let fixed: Vec<_> =
+        definition.fixed_words(overload).map(|(_, word)| (word, inputs[word] as i32)).collect();
+    let code = overload.code.expect("the node has a body").with_fixed(&fixed);
     let mut outputs = vec![0; code.outputs];
     (code.scalar)(&inputs, &mut outputs);
     let mut portable = vec![0; code.outputs];

@@ -45,6 +45,58 @@ impl Definition {
         Self { signature, overloads, per_component: false }
     }
 
+    /// The words of the inputs known before shading, as an overload has them: each with its input.
+    pub fn fixed_words(&self, overload: &Overload) -> impl Iterator<Item = (usize, usize)> {
+        let width = |value_type: Type| match (value_type, overload.generic) {
+            (Type::Generic, Some(generic)) => generic.width(),
+            (known, _) => known.width(),
+        };
+        let mut next = 0;
+        let inputs = self.signature.inputs.iter().enumerate();
+        inputs.filter_map(move |(at, input)| {
+            let word = next;
+            next += width(input.value_type);
+            input.fixed.then_some((at, word))
+        })
+    }
+
+    /// The node for ways to give what is known before shading, as tests go through them: each choice,
+    /// and of counts the least, the next and the most. The ranges of those inputs are one number, and
+    /// the code is for it.
+    pub fn settled(&self) -> Vec<Self> {
+        let mut all = vec![self.clone()];
+        for at in (0..self.signature.inputs.len()).filter(|&at| self.signature.inputs[at].fixed) {
+            let each = |definition: Self| {
+                let range = definition.signature.inputs[at].range.clone();
+                let (least, most) = (*range.start() as i32, *range.end() as i32);
+                let choice = !definition.signature.inputs[at].choices.is_empty();
+                let numbers = (least..=most)
+                    .filter(move |&number| choice || number <= least + 1 || number == most);
+                numbers.map(move |number| {
+                    let mut settled = definition.clone();
+                    settled.signature.inputs[at].range = number.into()..=number.into();
+                    settled
+                })
+            };
+            all = all.into_iter().flat_map(each).collect();
+        }
+        all.iter().map(Self::for_its_ranges).collect()
+    }
+
+    fn for_its_ranges(&self) -> Self {
+        let mut settled = self.clone();
+        for overload in &mut settled.overloads {
+            let number = |at: usize| *self.signature.inputs[at].range.start() as i32;
+            let fixed: Vec<_> =
+                self.fixed_words(overload).map(|(at, word)| (word, number(at))).collect();
+            overload.code = overload.code.map(|code| code.with_fixed(&fixed));
+            for guard in overload.guards.iter_mut().flatten() {
+                *guard = guard.with_fixed(&fixed);
+            }
+        }
+        settled
+    }
+
     /// A node whose outputs are fields of the state, by these names.
     pub fn of_fields(
         name: &'static str,

@@ -42,7 +42,8 @@
 /// * `structural [Kind]`: the engines or the checker know what to do, and there is no body.
 ///
 /// **Annotations** of an input, in any order: `in RANGE`, `avoid zero` or `avoid negative` (taken,
-/// but hardly meant), `when CONDITION`, `list`. An output has `in RANGE`. Others are refused:
+/// but hardly meant), `when CONDITION`, `list`, and `of ["name", …]` of a `choice`. An output has
+/// `in RANGE`. Others are refused:
 ///
 /// ```compile_fail
 /// mod halve {
@@ -67,6 +68,10 @@
 ///     }
 /// }
 /// ```
+///
+/// **Known before shading** are inputs of the types `count` and `choice`: plain `i32`s to the body, in
+/// their range. A literal or a parameter gives them, and another value is other code, so a body may
+/// loop over a count and match on a choice.
 ///
 /// Inputs stand in the order in which they are demanded. One with `when` is demanded only where its
 /// condition holds, which may look at earlier inputs only. A body must not let an input that was not
@@ -216,7 +221,7 @@ macro_rules! node {
         let _ = at;
         inputs
     }};
-    (@body_impl [$($bound:tt)*] $body:ident $shape:ty, $outputs:expr, |$emit:ident, $words:ident, $sink:ident| $run:block) => {
+    (@body_impl [$($bound:tt)*] $body:ident $shape:ty, [$($input:ident : $itype:ident $annotations:tt;)*] $outputs:expr, |$emit:ident, $words:ident, $sink:ident| $run:block) => {
         struct $body<S>(std::marker::PhantomData<S>);
 
         impl<$($bound)*> $crate::emit::Body for $body<$shape> {
@@ -227,10 +232,22 @@ macro_rules! node {
                 $words: &impl $crate::emit::Words<E>,
                 $sink: &mut impl $crate::emit::Sink<E>,
             ) $run
+
+            fn fixed(word: &dyn Fn(usize) -> u32) -> Vec<(usize, i32)> {
+                let (mut at, mut fixed) = (0, Vec::new());
+                $(
+                    if <$crate::nodes::ports::$itype as $crate::nodes::ports::Port>::FIXED {
+                        fixed.push((at, word(at) as i32));
+                    }
+                    at += const { $crate::nodes::ports::width::<$crate::nodes::ports::$itype, $shape>() };
+                )*
+                let _ = at;
+                fixed
+            }
         }
     };
     (@run $bounds:tt $shape:ty, $inputs:tt [$($output:ident : $otype:ident;)+]) => {
-        $crate::node!(@body_impl $bounds NodeBody $shape,
+        $crate::node!(@body_impl $bounds NodeBody $shape, $inputs
             0 $(+ $crate::nodes::ports::width::<$crate::nodes::ports::$otype, $shape>())+,
             |emit, words, sink| {
                 let result = body(emit, &$crate::node!(@load $shape, words, $inputs));
@@ -243,7 +260,7 @@ macro_rules! node {
             });
     };
     (@run_components $inputs:tt [$first:ident : generic $annotations:tt; $($input:ident : $itype:ident $more:tt;)*]) => {
-        $crate::node!(@body_impl [S: $crate::nodes::ports::Shape] NodeBody S, S::WIDTH, |emit, words, sink| {
+        $crate::node!(@body_impl [S: $crate::nodes::ports::Shape] NodeBody S, $inputs S::WIDTH, |emit, words, sink| {
             use $crate::emit::Components;
             let inputs = $crate::node!(@load S, words, $inputs);
             let mut result = inputs.$first.to_words();
@@ -262,7 +279,7 @@ macro_rules! node {
     };
     (@guard $bounds:tt $shape:ty, $mode:ident $e:ident $i:ident $inputs:tt when [$guard:expr]) => {{
         $crate::node!(@function holds $mode $e $i E::Mask, $guard);
-        $crate::node!(@body_impl $bounds Guard $shape, 1, |emit, words, sink| {
+        $crate::node!(@body_impl $bounds Guard $shape, $inputs 1, |emit, words, sink| {
             sink.mask(0, holds(emit, &$crate::node!(@load $shape, words, $inputs)));
         });
         Some($crate::kernels::BodyForms::of::<Guard<$shape>>())
@@ -277,10 +294,9 @@ macro_rules! node {
     (@kind [scope] [$($field:ident),+]) => { $crate::nodes::Kind::Scope(vec![$($crate::state::Field::$field),+]) };
     (@kind [structural] [$kind:expr]) => { $kind };
     (@input $input:ident [$($doc:literal)+] $type:ident [$default:expr] [$($word:ident $value:tt)*]) => {{
-        let input = $crate::nodes::Input::new(
+        let input = $crate::nodes::Input::of::<$crate::nodes::ports::$type>(
             stringify!($input),
             &[$($doc),+],
-            <$crate::nodes::ports::$type as $crate::nodes::ports::Port>::TYPE,
             $default,
         );
         $(let input = $crate::node!(@annotate input $word $value);)*
@@ -293,10 +309,11 @@ macro_rules! node {
     }};
     (@annotate $input:ident when [$guard:expr]) => { $input.guarded() };
     (@annotate $input:ident list []) => { $input.list() };
+    (@annotate $input:ident of [$choices:expr]) => { $input.one_of(&$choices) };
     (@annotate $input:ident $word:ident [$($value:expr)?]) => {
         compile_error!(concat!(
             "an input has no annotation `", stringify!($word $($value)?), "`: there are `in RANGE`, \
-             `avoid zero`, `avoid negative`, `when CONDITION` and `list`"
+             `avoid zero`, `avoid negative`, `when CONDITION`, `list` and `of [NAME, …]`"
         ))
     };
     (@output $output:ident [$($doc:literal)+] $type:ident [$($word:ident $value:tt)*]) => {{

@@ -10,6 +10,8 @@ mod harness;
 mod adding_a_node;
 #[cfg(test)]
 mod agreement;
+#[cfg(test)]
+mod fixed_inputs;
 
 pub mod finite;
 mod library;
@@ -63,6 +65,8 @@ nodes! {
     }
     /// Blending and converting colours.
     color { combine_color, hsv_to_rgb, luminance, mix, overlay, screen, split_color }
+    /// Patterns that look like chance, the same at every look.
+    noise { perlin_noise }
     /// Comparing and choosing.
     logic { and, equal, less, less_equal, not, or, select, string_equal, switch }
     /// Over lists of any length.

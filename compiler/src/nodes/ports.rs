@@ -11,6 +11,8 @@ pub trait Port: 'static {
     const TYPE: Type;
     /// Words it takes; see [`width`] for generic ones.
     const WIDTH: usize;
+    /// Whether it is known before shading, and a plain number to the body.
+    const FIXED: bool = false;
     /// The value a body works on.
     type Value<E: Emit, T: Copy>: Copy;
     /// Reads it from word `at` on.
@@ -25,7 +27,7 @@ pub trait Port: 'static {
 /// The type of an output.
 #[diagnostic::on_unimplemented(
     message = "no node computes a value of type `{Self}`",
-    note = "strings, textures and lights are known before shading, and a shader is an output of \
+    note = "counts, choices, strings, textures and lights are known before shading, and a shader is an output of \
             a node; outputs are scalar, integer, boolean, vector, color, transform or generic"
 )]
 pub trait Computed: Port {
@@ -57,7 +59,7 @@ pub const fn width<P: Port, S: Shape>() -> usize {
 /// Ports whose value is the same whatever `generic` stands for.
 macro_rules! ports {
     ($($(#[doc = $doc:literal])+ $port:ident: $type:ident, $width:literal, $e:ident => $value:ty,
-        load |$words:ident, $at:ident| $load:expr $(, store |$sink:ident, $to:ident, $stored:ident| $store:expr)?;)+) => {$(
+        $(fixed $fixed:literal,)? load |$words:ident, $at:ident| $load:expr $(, store |$sink:ident, $to:ident, $stored:ident| $store:expr)?;)+) => {$(
         $(#[doc = $doc])+
         #[derive(Debug)]
         pub enum $port {}
@@ -65,6 +67,7 @@ macro_rules! ports {
         impl Port for $port {
             const TYPE: Type = Type::$type;
             const WIDTH: usize = $width;
+            $(const FIXED: bool = $fixed;)?
             type Value<$e: Emit, T: Copy> = $value;
             #[inline(always)]
             fn load<$e: Emit, S: Shape>($words: &impl Words<$e>, $at: usize) -> $value {
@@ -115,6 +118,10 @@ ports! {
     light: Light, 0, E => (), load |_words, _at| ();
     /// Lights: in the code, not in words.
     lights: Lights, 0, E => (), load |_words, _at| ();
+    /// A whole number known before shading: how often a body does something.
+    count: Integer, 1, E => i32, fixed true, load |words, at| words.fixed(at);
+    /// One of several names, known before shading: to the body its number, from 0.
+    choice: Integer, 1, E => i32, fixed true, load |words, at| words.fixed(at);
     /// The colour of a shader that was called.
     shader: Shader, 4, E => Color<E::Real>, load |words, at| emit::read_color::<E>(words, at);
 }

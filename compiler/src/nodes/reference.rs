@@ -46,6 +46,12 @@ fn write_node(page: &mut String, definition: &Definition) {
         if input.scoped {
             doc.push_str(" *Evaluated inside.*");
         }
+        if !input.choices.is_empty() {
+            let _ = write!(doc, " One of `{}`.", input.choices.join("`, `"));
+        }
+        if input.fixed {
+            doc.push_str(" *Known before shading.*");
+        }
         match input.avoid {
             Some(Avoid::Zero) => doc.push_str(" *Should not be 0.*"),
             Some(Avoid::Negative) => doc.push_str(" *Should not be negative.*"),

@@ -7,6 +7,8 @@ use crate::state::{Field, Iterated, Reduction};
 
 use crate::values::{Literal, Type};
 
+use super::ports::Port;
+
 /// What an input is when nothing is given for it.
 #[derive(Clone, Debug)]
 pub enum DefaultValue {
@@ -115,6 +117,11 @@ pub struct Input {
     pub scoped: bool,
     /// A list of values of that type; only of [`Kind::List`] nodes.
     pub list: bool,
+    /// Known when the graph is specialised: given by a literal or a parameter, never by a node, an
+    /// integer in its range. Another value is other code.
+    pub fixed: bool,
+    /// Names of 0, 1, 2 … where the input is a choice; else empty.
+    pub choices: &'static [&'static str],
 }
 
 /// The names of [`Avoid`] in headers.
@@ -140,7 +147,19 @@ impl Input {
             guarded: false,
             scoped: false,
             list: false,
+            fixed: false,
+            choices: &[],
         }
+    }
+
+    /// An input as a header declares it.
+    pub fn of<P: Port>(name: &'static str, doc: &[&str], default: impl Into<DefaultValue>) -> Self {
+        Self { fixed: P::FIXED, ..Self::new(name, doc, P::TYPE, default) }
+    }
+
+    /// A choice of these, 0 being the first.
+    pub fn one_of(self, choices: &'static [&'static str]) -> Self {
+        Self { choices, range: 0.0..=choices.len().saturating_sub(1) as f64, ..self }
     }
 
     /// With this range.

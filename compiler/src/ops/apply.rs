@@ -61,6 +61,7 @@ macro_rules! define {
                 Op::Number(number) => registers.of_real(emit.real(number.value())),
                 Op::Integer(value) => registers.of_int(emit.int(value)),
                 Op::Truth(value) => registers.of_mask(emit.mask(value)),
+                Op::Table(table, index) => registers.of_real(emit.table(table, registers.int(index))),
                 $(Op::$operator(a, b) => {
                     word!(registers $both $trait::$call(registers.$both(a), registers.$both(b)))
                 })+

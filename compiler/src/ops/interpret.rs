@@ -18,6 +18,10 @@ pub fn evaluate(op: Op, load: impl Fn(u32) -> u32, value: impl Fn(OpId) -> u32) 
         Op::Number(number) => (number.value() as f32).to_bits(),
         Op::Integer(value) => value as u32,
         Op::Truth(value) => mask(value),
+        Op::Table(table, index) => {
+            let last = table.numbers().len() as i64 - 1;
+            table.numbers()[i64::from(int(index)).clamp(0, last) as usize].to_bits()
+        }
         Op::Add(a, b) => (real(a) + real(b)).to_bits(),
         Op::Sub(a, b) => (real(a) - real(b)).to_bits(),
         Op::Mul(a, b) => (real(a) * real(b)).to_bits(),

@@ -1,5 +1,6 @@
 //! One operation, and the pure segment it stands in.
 
+use crate::emit::Table;
 use crate::storage::Source;
 
 /// Position of an operation on its tape; operands come before.
@@ -77,6 +78,8 @@ macro_rules! define {
             Integer(i32),
             /// A constant truth value.
             Truth(bool),
+            /// The number of a table at a position.
+            Table(Table, OpId),
             $($operator(OpId, OpId),)+
             $($method(OpId $(, id!($operand))*),)+
             /// By a constant number of bits below 32.
@@ -88,6 +91,7 @@ macro_rules! define {
         impl Op {
             /// The names of all operations, fetches aside, as their variants are called.
             pub const ALL: &[&str] = &[
+                "Table",
                 $(stringify!($operator),)+ $(stringify!($method),)+ $(stringify!($shift),)+
                 $(stringify!($word),)+ $(stringify!($function),)+
             ];
@@ -100,6 +104,7 @@ macro_rules! define {
                     Op::Number(..) => "number",
                     Op::Integer(..) => "integer",
                     Op::Truth(..) => "truth",
+                    Op::Table(..) => "table",
                     $(Op::$operator(..) => $operator_name,)+
                     $(Op::$method(..) => $method_name,)+
                     $(Op::$shift(..) => stringify!($shift_calls),)+
@@ -115,6 +120,7 @@ macro_rules! define {
                     Op::Number(..) => Class::Real,
                     Op::Integer(..) => Class::Int,
                     Op::Truth(..) => Class::Mask,
+                    Op::Table(..) => Class::Real,
                     $(Op::$operator(..) => class!($both),)+
                     $(Op::$method(..) => class!($out),)+
                     $(Op::$shift(..) => Class::Int,)+
@@ -143,6 +149,7 @@ macro_rules! define {
             pub fn map_operands(self, mut rename: impl FnMut(OpId) -> OpId) -> Self {
                 match self {
                     Op::Load(_) | Op::Constant(_) | Op::Number(_) | Op::Integer(_) | Op::Truth(_) => self,
+                    Op::Table(table, index) => Op::Table(table, rename(index)),
                     $(Op::$operator(a, b) => Op::$operator(rename(a), rename(b)),)+
                     $(Op::$method(a $(, $operand)*) => Op::$method(rename(a) $(, rename($operand))*),)+
                     $(Op::$shift(a, bits) => Op::$shift(rename(a), bits),)+

@@ -49,6 +49,7 @@ impl Display for Op {
             Op::ShiftLeft(_, bits) | Op::ShiftRight(_, bits) | Op::ShiftRightSigned(_, bits) => {
                 write!(f, ", {bits}")
             }
+            Op::Table(table, _) => write!(f, " of {}", table.numbers().len()),
             _ => Ok(()),
         }
     }

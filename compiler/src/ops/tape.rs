@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
 use super::{Number, Op, OpId};
-use crate::emit::{Bits, Emit, Int, Mask, Real, Select, Sink, Words, standard};
+use crate::emit::{Bits, Emit, Int, Mask, Real, Select, Sink, Table, Words, standard};
 
 /// Operations in order, each recorded once: an operation already on the tape is found again.
 #[derive(Debug, Default)]
@@ -136,6 +136,9 @@ impl<'t> Emit for &'t Tape {
     fn mask(self, value: bool) -> TapeMask<'t> {
         self.at(self.truth(value))
     }
+    fn table(self, table: Table, index: TapeInt<'t>) -> TapeReal<'t> {
+        self.record(Op::Table(table, index.id()))
+    }
 }
 
 /// The value type of a class.
@@ -265,17 +268,23 @@ impl Mask for TapeMask<'_> {}
 pub struct TapeInputs<'t> {
     tape: &'t Tape,
     given: Option<&'t [OpId]>,
+    fixed: &'t [(usize, i32)],
 }
 
 impl<'t> TapeInputs<'t> {
     /// Those recorded already.
     pub fn given(tape: &'t Tape, ids: &'t [OpId]) -> Self {
-        Self { tape, given: Some(ids) }
+        Self { tape, given: Some(ids), fixed: &[] }
     }
 
     /// Input word `n` as `Load(n)`, recorded when it is first read.
     pub fn loads(tape: &'t Tape) -> Self {
-        Self { tape, given: None }
+        Self { tape, given: None, fixed: &[] }
+    }
+
+    /// With these words known before shading.
+    pub fn with_fixed(self, fixed: &'t [(usize, i32)]) -> Self {
+        Self { fixed, ..self }
     }
 
     /// The tape.
@@ -300,6 +309,13 @@ impl<'t> Words<&'t Tape> for TapeInputs<'t> {
     }
     fn mask(&self, index: usize) -> TapeMask<'t> {
         self.word(index)
+    }
+    /// # Panics
+    ///
+    /// If it was not said: bodies with inputs known before shading are recorded for known numbers.
+    fn fixed(&self, index: usize) -> i32 {
+        let known = self.fixed.iter().find(|(word, _)| *word == index);
+        known.expect("what is known before shading was said").1
     }
 }
 

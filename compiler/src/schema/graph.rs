@@ -281,6 +281,16 @@ fn input_schema(input: &Input) -> Value {
         DefaultValue::Node(name) => format!(" By default what `{name}` yields."),
     };
     let doc = format!("{}{default}", input.doc);
+    if input.fixed {
+        let (least, most) = (*input.range.start() as i64, *input.range.end() as i64);
+        let number = json!({ "type": "integer", "minimum": least, "maximum": most });
+        let parameter = object(&["interface"], json!({ "interface": { "type": "string" } }));
+        let mut given = vec![number, parameter];
+        if !input.choices.is_empty() {
+            given.insert(0, json!({ "enum": input.choices }));
+        }
+        return json!({ "anyOf": given, "description": doc });
+    }
     if input.list {
         return described(&format!("{}_list", source_name(input.value_type)), &doc);
     }

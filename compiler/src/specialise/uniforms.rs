@@ -17,6 +17,8 @@ pub struct Uniforms {
     parameters: BTreeMap<usize, u32>,
     computed: Vec<Computed>,
     decisions: Vec<Decision>,
+    /// Parameters whose value shaped the code, with that value.
+    fixed: BTreeMap<usize, Literal>,
 }
 
 /// A node over uniform words alone.
@@ -68,6 +70,11 @@ impl Uniforms {
         (0..words.len() as u32).map(|word| Source::Uniform(first + word)).collect()
     }
 
+    /// Remembers that the value of a parameter shaped the code.
+    pub fn fix(&mut self, parameter: usize, value: &Literal) {
+        self.fixed.insert(parameter, value.clone());
+    }
+
     /// The positions of `sources`, if all are uniform.
     pub fn positions(sources: &[Source]) -> Option<Vec<u32>> {
         sources
@@ -106,9 +113,13 @@ impl Uniforms {
     }
 
     /// Takes new values of the interface parameters. False, with nothing changed, if a guard would
-    /// now be decided otherwise: then the graph must be specialised anew.
+    /// now be decided otherwise, or a value that shaped the code is another: then the graph must be
+    /// specialised anew.
     #[must_use]
     pub fn rebind(&mut self, parameters: &[Literal]) -> bool {
+        if self.fixed.iter().any(|(&parameter, value)| parameters[parameter] != *value) {
+            return false;
+        }
         let mut values = self.values.clone();
         for (&parameter, &first) in &self.parameters {
             let words = parameters[parameter].words();

@@ -139,6 +139,11 @@ impl<'a> Views<'a> {
         &self.views[view].definition.overloads[self.views[view].overload]
     }
 
+    /// The inputs known before shading, each with its word.
+    pub fn fixed_words(&self, view: usize) -> Vec<(usize, usize)> {
+        self.views[view].definition.fixed_words(self.overload(view)).collect()
+    }
+
     /// Number of inputs.
     pub fn inputs(&self, view: usize) -> usize {
         self.views[view].bindings.len()

@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use phenomenon_compiler::emit::Body;
 use phenomenon_compiler::emit::functions::conventions;
 use phenomenon_compiler::emit::{
-    Components, Emit, Int, Mask, Real, Sink, Words, read_vector, write_vector,
+    Components, Emit, Int, Mask, Real, Sink, Table, Words, read_vector, write_vector,
 };
 use phenomenon_compiler::kernels::BodyForms;
 
@@ -76,10 +76,31 @@ macro_rules! cases {
 pub fn cases() -> Vec<Case> {
     let mut list = vec![];
     table(&mut list);
+    list.push(lookup());
     words(&mut list);
     compositions(&mut list);
     guarded(&mut list);
     list
+}
+
+/// A lookup, at positions within a table and outside.
+fn lookup() -> Case {
+    static NUMBERS: [f32; 7] = [0.0, -0.0, 1.5, f32::INFINITY, f32::NAN, 1e-45, -3.0];
+    struct Tested;
+    impl Body for Tested {
+        const OUTPUTS: usize = 1;
+        #[inline(always)]
+        fn run<E: Emit>(e: E, words: &impl Words<E>, sink: &mut impl Sink<E>) {
+            sink.real(0, e.table(const { Table::new(&NUMBERS) }, words.int(0)));
+        }
+    }
+    Case {
+        name: "Table",
+        primitive: true,
+        code: BodyForms::of::<Tested>(),
+        inputs: &[Word::Int],
+        outputs: &[Word::Real],
+    }
 }
 
 /// The operations of the table. `Add` of two numbers is its variant over its operands.

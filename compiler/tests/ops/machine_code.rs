@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use phenomenon_compiler::emit::Table;
 use phenomenon_compiler::engine::jit::{JitCode, JitError};
 use phenomenon_compiler::ops::{Op, OpSegment, dead, fold, split};
 use phenomenon_compiler::storage::{FileShape, LANES, Lanes, Source};
@@ -87,6 +88,10 @@ fn every_operation_over_all_hard_operands() {
     }
     exhaust(Op::IntLess(0, 1), &[Int, Int]);
     exhaust(Op::ToReal(0), &[Int]);
+    static NUMBERS: [f32; 5] = [0.5, -0.0, f32::MAX, 1e-45, -1.0];
+    for numbers in [&NUMBERS[..], &NUMBERS[..1]] {
+        exhaust(Op::Table(Table::new(numbers), 0), &[Int]);
+    }
     exhaust(Op::Not(0), &[Int]);
     exhaust(Op::Not(0), &[Mask]);
     for bits in 0..32 {

@@ -72,6 +72,13 @@ pub fn complete(
             let parts = parts_of(file, name, written.map(String::as_str), library, files);
             fields(parts.map(|parts| parts.inputs))
         }
+        (["nodes", name, "inputs", input], false) => {
+            let written = cursor.around.get(2).and_then(|node| node.get("type"));
+            let parts = parts_of(file, name, written.map(String::as_str), library, files);
+            let inputs = parts.map(|parts| parts.inputs).unwrap_or_default();
+            let choices = inputs.iter().find(|part| part.name == *input).map(|part| &part.choices);
+            choices.into_iter().flatten().map(|choice| item(choice, VARIABLE, "", "")).collect()
+        }
         (["nodes" | "roots", .., "node"], false) => {
             let of = |member: &Member| text(&member.value, "type").unwrap_or_default().to_owned();
             let nodes = members(file, "nodes").iter();

@@ -17,6 +17,8 @@ pub struct Part {
     pub of: String,
     /// Its doc, with its range.
     pub doc: String,
+    /// The names it may be given, where it is a choice.
+    pub choices: Vec<String>,
 }
 
 /// What a node has.
@@ -54,16 +56,20 @@ fn of_signature(signature: &Signature) -> Parts {
     let of_input = |input: &Input| Part {
         name: input.name.into(),
         of: input.value_type.name().into(),
-        doc: if input.range == FINITE {
+        doc: if !input.choices.is_empty() {
+            format!("{}\n\nOne of `{}`", input.doc, input.choices.join("`, `"))
+        } else if input.range == FINITE {
             input.doc.clone()
         } else {
             format!("{}\n\nRange: {} to {}", input.doc, input.range.start(), input.range.end())
         },
+        choices: input.choices.iter().map(|&choice| choice.to_owned()).collect(),
     };
     let outputs = signature.outputs.iter().map(|output| Part {
         name: output.name.into(),
         of: output.value_type.name().into(),
         doc: output.doc.clone(),
+        choices: Vec::new(),
     });
     Parts {
         title: format!("**{}** ({})", signature.name, signature.group),
@@ -83,11 +89,13 @@ pub fn of_phenomenon(file: &OpenFile, named: &str, files: &OpenFiles) -> Option<
         name: member.key.clone(),
         of: text(&member.value, "type").unwrap_or_default().into(),
         doc: text(&member.value, "doc").unwrap_or_default().into(),
+        choices: Vec::new(),
     };
     let output = |name: &str, of: &str, doc: &str| Part {
         name: name.into(),
         of: of.into(),
         doc: doc.into(),
+        choices: Vec::new(),
     };
     Some(Parts {
         title: format!("**{}** ({named})", text(root, "phenomenon").unwrap_or_default()),

@@ -97,6 +97,12 @@ fn kind(kind: &Kind) -> Option<String> {
 fn facts(input: &Input) -> String {
     let mut facts = default(&input.default);
     facts.push_str(&range(input.value_type, *input.range.start(), *input.range.end()));
+    if !input.choices.is_empty() {
+        facts.push_str(&format!(", one of {}", input.choices.join(", ")));
+    }
+    if input.fixed {
+        facts.push_str(", known before shading");
+    }
     if input.guarded {
         facts.push_str(", evaluated only where needed");
     }

@@ -65,6 +65,13 @@ fn input(input: &Input) -> Value {
         object.insert("default".into(), default);
     }
     insert_range(&mut object, input.value_type, *input.range.start(), *input.range.end());
+    // Left out where it says nothing, as limits are.
+    if input.fixed {
+        object.insert("fixed".into(), true.into());
+    }
+    if !input.choices.is_empty() {
+        object.insert("choices".into(), input.choices.into());
+    }
     object.insert("guarded".into(), input.guarded.into());
     object.insert("scoped".into(), input.scoped.into());
     Value::Object(object)

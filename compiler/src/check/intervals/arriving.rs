@@ -75,6 +75,23 @@ impl Arriving {
             .fold(0, |sources, (_, value)| sources | value.sources)
     }
 
+    /// What bodies take as plain numbers, each with its word; none unless all of it is known, and in
+    /// range: only then can a body be run.
+    pub fn fixed(&self, definition: &Definition) -> Option<Vec<(usize, i32)>> {
+        let inputs = definition.signature.inputs.iter().enumerate();
+        let fixed = inputs.filter(|(_, input)| input.fixed);
+        fixed
+            .map(|(at, input)| match self.of(at) {
+                [Value { word: Word::Integer(whole), .. }]
+                    if whole.low == whole.high && input.range.contains(&f64::from(whole.low)) =>
+                {
+                    Some((self.first[at], whole.low))
+                }
+                _ => None,
+            })
+            .collect()
+    }
+
     /// Whether all inputs lie so to their declared ranges.
     pub fn fits(&self, definition: &Definition, overload: &Overload, fit: Fit) -> bool {
         definition.signature.inputs.iter().enumerate().all(|(at, input)| {

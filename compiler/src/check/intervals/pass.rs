@@ -179,22 +179,28 @@ impl Pass<'_, '_> {
         }
         arriving.number();
         let overload = &definition.overloads[node.overload];
-        self.guards(overload, slot, &mut arriving, &mut intervals.guards);
+        self.guards(definition, overload, slot, &mut arriving, &mut intervals.guards);
         self.outputs(definition, overload, slot, &arriving)
     }
 
     /// Decides the guards of a node's inputs, as far as that can be.
     fn guards(
         &self,
+        definition: &Definition,
         overload: &Overload,
         slot: usize,
         arriving: &mut Arriving,
         guards: &mut Guards,
     ) {
+        let fixed = arriving.fixed(definition);
         let guarded = overload.guards.iter().enumerate();
         for (input, guard) in guarded.filter_map(|(at, guard)| Some((at, guard.as_ref()?))) {
             let mut holds = [Word::UNKNOWN];
-            guard.intervals(&arriving.sets, &mut holds);
+            let Some(fixed) = &fixed else {
+                guards.open.push(((slot, input), arriving.sources(u64::MAX)));
+                continue;
+            };
+            guard.with_fixed(fixed).intervals(&arriving.sets, &mut holds);
             match holds[0] {
                 Word::Truth(truth) if truth.decided() == Some(false) => {
                     arriving.never[input] = true;
@@ -240,6 +246,11 @@ impl Pass<'_, '_> {
         let mut words = Vec::new();
         match (&signature.kind, &overload.code) {
             (Kind::Plain, Some(code)) => {
+                let Some(fixed) = arriving.fixed(definition) else {
+                    self.declared(definition, overload, &mut words);
+                    return words;
+                };
+                let code = &code.with_fixed(&fixed);
                 let mut sets = vec![Word::UNKNOWN; code.outputs];
                 code.intervals(&arriving.sets, &mut sets);
                 let reached = trials::reached(code, &arriving.words, &sets);

@@ -1,7 +1,7 @@
 //! Sets as a back end.
 
-use super::{Interval, Truth, Whole, Word};
-use crate::emit::{Emit, Words};
+use super::{Interval, Truth, Whole, Word, derived};
+use crate::emit::{Emit, Table, Words};
 
 /// The back end of sets.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,18 @@ impl Emit for Intervals {
     }
     fn mask(self, value: bool) -> Truth {
         Truth::constant(value)
+    }
+    fn table(self, table: Table, index: Whole) -> Interval {
+        let [first, end] = [index.low, index.high].map(|at| at.clamp(0, table.last()) as usize);
+        let numbers = &table.numbers()[first..=end];
+        let smaller = |low: f32, &x: &f32| if x < low { x } else { low };
+        let larger = |high: f32, &x: &f32| if x > high { x } else { high };
+        let low = numbers.iter().fold(f32::INFINITY, smaller);
+        let high = numbers.iter().fold(f32::NEG_INFINITY, larger);
+        let identity = derived(table.numbers().as_ptr() as u64, &[index.identity]);
+        let nan = numbers.iter().any(|x| x.is_nan());
+        let known = Interval::between(low, high, index.reads, identity);
+        Interval { smooth: false, nan, ..known }
     }
 }
 
@@ -40,6 +52,14 @@ impl Words<Intervals> for &[Word] {
         match self[index] {
             Word::Truth(truth) => truth,
             other => Truth { reads: other.reads(), ..Truth::OPEN },
+        }
+    }
+    /// The least it may be. What is known before shading is in the recorded operations, of which sets
+    /// are made, so none of them asks for it.
+    fn fixed(&self, index: usize) -> i32 {
+        match self[index] {
+            Word::Integer(whole) => whole.low,
+            _ => 0,
         }
     }
 }

@@ -15,13 +15,14 @@
 //!   compile time. So their address is made to depend on the turn of the loop.
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
-use cranelift_codegen::ir::types::{F32X4, I32, I32X4, I64};
+use cranelift_codegen::ir::types::{F32, F32X4, I32, I32X4, I64};
 use cranelift_codegen::ir::{
     AbiParam, BlockArg, ConstantData, Function, InstBuilder, MemFlagsData, Signature, Type, Value,
 };
 use cranelift_codegen::isa::TargetFrontendConfig;
 use cranelift_frontend::{FuncInstBuilder, FunctionBuilder, FunctionBuilderContext};
 
+use crate::emit::Table;
 use crate::ops::{Op, OpId, OpSegment};
 use crate::storage::{FileShape, Lanes, Source};
 
@@ -183,6 +184,7 @@ impl Lowering<'_, '_> {
             Op::IntEqual(a, b) => self.compare_bits(IntCC::Equal, a, b),
             Op::IntLess(a, b) => self.compare_bits(IntCC::SignedLessThan, a, b),
             Op::Select(mask, a, b) => self.select(mask, a, b),
+            Op::Table(table, index) => self.table(table, index),
             Op::Number(_) | Op::Integer(_) | Op::Truth(_) => return Err("a constant has a type"),
             Op::Sin(_)
             | Op::Cos(_)
@@ -275,6 +277,27 @@ impl Lowering<'_, '_> {
                 })
             }
         }
+    }
+
+    /// Lane by lane: there is no gather of 128 bits to be had.
+    fn table(&mut self, table: Table, index: OpId) -> Word {
+        let index = self.bits(index);
+        let (first, last) = (self.constant(I32X4, 0), self.constant(I32X4, table.last() as u32));
+        let index = self.builder.ins().smax(index, first);
+        let index = self.builder.ins().smin(index, last);
+        let numbers = self.builder.ins().iconst(I64, table.numbers().as_ptr() as i64);
+        let flags =
+            MemFlagsData::new().with_notrap().with_aligned().with_readonly().with_can_move();
+        let mut found = self.constant(F32X4, 0);
+        for lane in 0..4 {
+            let at = self.builder.ins().extractlane(index, lane);
+            let at = self.builder.ins().uextend(I64, at);
+            let bytes = self.builder.ins().ishl_imm_u(at, 2);
+            let place = self.builder.ins().iadd(numbers, bytes);
+            let number = self.builder.ins().load(F32, flags, place, 0);
+            found = self.builder.ins().insertlane(found, number, lane);
+        }
+        Word::of_real(found)
     }
 
     fn load(&mut self, source: u32) -> Word {

@@ -55,6 +55,7 @@ impl Builder<'_> {
         let Some(code) = self.views.overload(view).code else {
             return Err(inconsistent(&name, "a scope has no body"));
         };
+        let code = self.settled(view, code)?;
         let zero = self.result.uniforms.constant(0);
         let mut words = std::mem::take(&mut frame.words);
         words.resize(self.views.input_words(view), zero);
@@ -128,6 +129,7 @@ impl Builder<'_> {
                 let Some(code) = self.views.overload(view).code else {
                     return Err(inconsistent(&name, "a plain node has no body"));
                 };
+                let code = self.settled(view, code)?;
                 self.plain(code, frame, &name, is_root)?
             }
             Kind::Request(effect) => self.request(*effect, frame, &name)?,

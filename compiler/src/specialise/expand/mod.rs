@@ -131,9 +131,15 @@ impl Builder<'_> {
                 frame.next += 1;
                 continue;
             }
+            if signature.inputs[input].fixed {
+                let number = self.fixed(view, input)?;
+                frame.words.push(self.result.uniforms.constant(number as u32));
+                frame.next += 1;
+                continue;
+            }
             let guard = match &frame.guard {
                 Some(guard) => guard.clone(),
-                None => self.guard(frame),
+                None => self.guard(frame)?,
             };
             frame.guard = Some(guard.clone());
             if matches!(guard, GuardState::Never) {
@@ -162,22 +168,22 @@ impl Builder<'_> {
     }
 
     /// The guard of the frame's next input; decided now if it looks at uniform words only.
-    fn guard(&mut self, frame: &Frame) -> GuardState {
+    fn guard(&mut self, frame: &Frame) -> Result<GuardState, SpecialiseError> {
         let view = frame.key.0;
         let Some(code) = self.views.overload(view).guards[frame.next] else {
-            return GuardState::Always;
+            return Ok(GuardState::Always);
         };
+        let code = self.settled(view, code)?;
         let zero = self.result.uniforms.constant(0);
         let mut words = frame.words.clone();
         words.resize(self.views.input_words(view), zero);
         let Some(inputs) = Uniforms::positions(&words) else {
-            return GuardState::Where(Guard { code, words });
+            return Ok(GuardState::Where(Guard { code, words }));
         };
-        if self.result.uniforms.decide(code, inputs) {
-            GuardState::Always
-        } else {
-            GuardState::Never
-        }
+        Ok(match self.result.uniforms.decide(code, inputs) {
+            true => GuardState::Always,
+            false => GuardState::Never,
+        })
     }
 
     fn slots(&mut self, count: u32) -> u32 {

@@ -1,5 +1,6 @@
 //! Values of inputs: literals, parameters, state fields and outputs, converted to the type due.
 
+use crate::kernels::BodyForms;
 use crate::nodes::Kind;
 use crate::specialise::views::{Resolved, inconsistent};
 use crate::specialise::{
@@ -42,6 +43,42 @@ impl Builder<'_> {
             }
         };
         self.converted(view, built, from, to).map(Ok)
+    }
+
+    /// The number an input known before shading has: the code is for it alone.
+    pub(super) fn fixed(&mut self, view: usize, input: usize) -> Result<i32, SpecialiseError> {
+        let declared = &self.views.signature(view).inputs[input];
+        let literal = match self.views.resolve(view, input) {
+            Resolved::Literal(literal) => Some(literal),
+            Resolved::Parameter(parameter) => {
+                self.result.uniforms.fix(parameter, &self.values[parameter]);
+                Some(self.values[parameter].clone())
+            }
+            Resolved::State(_) | Resolved::Node { .. } => None,
+        };
+        match literal {
+            Some(Literal::Integer(number)) if declared.range.contains(&f64::from(number)) => {
+                Ok(number)
+            }
+            _ => {
+                let (name, range) = (declared.name, &declared.range);
+                let problem = format!("input `{name}` must be a known number in {range:?}");
+                Err(inconsistent(self.views.name(view), &problem))
+            }
+        }
+    }
+
+    /// A body of a node, recorded for what the node knows before shading.
+    pub(super) fn settled(
+        &mut self,
+        view: usize,
+        code: BodyForms,
+    ) -> Result<BodyForms, SpecialiseError> {
+        let mut fixed = Vec::new();
+        for (input, word) in self.views.fixed_words(view) {
+            fixed.push((word, self.fixed(view, input)?));
+        }
+        Ok(code.with_fixed(&fixed))
     }
 
     fn literal(&mut self, literal: &Literal) -> Built {

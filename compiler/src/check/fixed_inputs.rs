@@ -1,0 +1,60 @@
+//! Inputs that are known before shading: what may give them.
+
+use crate::diagnostics::{Code, Finding, listed, shortened, shown};
+use crate::document::Reader;
+use crate::nodes::Input;
+use crate::values::Type;
+
+use super::draft::{Draft, Source, SourceKind};
+
+/// Whether a source can give such an input, or a finding: no node can, and a parameter only if it
+/// never leaves the input's range, since the code is made for its value.
+pub(super) fn suits(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    source: &Source<'_>,
+    input: &Input,
+    what: &dyn Fn() -> String,
+) -> bool {
+    match source.kind {
+        SourceKind::Node(..) => {
+            let message = format!("{} is known before shading, so no node can give it", what());
+            let help = format!("give {}, or a parameter of type integer", form(input));
+            reader.report(Code::FIXED_INPUT, source.value, message, help);
+            false
+        }
+        SourceKind::Parameter(at) => {
+            let Some(parameter) = &draft.parameters[at].parameter else { return true };
+            let (low, high) = (*parameter.range.start(), *parameter.range.end());
+            let within = input.range.contains(&low) && input.range.contains(&high);
+            // Other types are told of as such.
+            if parameter.value_type != Type::Integer || within {
+                return true;
+            }
+            let name = shortened(&parameter.name);
+            let range = shown(&input.range);
+            let message = format!(
+                "{} is known before shading and takes {range}, but parameter `{name}` may be {}",
+                what(),
+                shown(&parameter.range)
+            );
+            let (least, most) = (input.range.start(), input.range.end());
+            let help = format!("give `{name}` a `min` of {least} and a `max` of {most}");
+            let place = reader.document.place(source.value);
+            let declared = reader.document.place_of_key(draft.parameters[at].member);
+            let finding = Finding::new(Code::FIXED_INPUT, place, message, help);
+            reader.findings.push(finding.with_related(declared, "declared here"));
+            false
+        }
+        SourceKind::Literal | SourceKind::Compound(_) | SourceKind::Broken => true,
+    }
+}
+
+/// What a literal for it looks like.
+fn form(input: &Input) -> String {
+    if input.choices.is_empty() {
+        format!("a whole number in {}", shown(&input.range))
+    } else {
+        format!("one of {}", listed(input.choices.iter().copied()))
+    }
+}
