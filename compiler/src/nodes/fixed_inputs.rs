@@ -44,7 +44,7 @@ pub mod powers {
 fn bodies_loop_and_branch_over_plain_numbers() {
     let value = |given: &[(&str, Literal)]| numbers(&powers::definition(), given, "result")[0];
     let (half, count) = (("input", Literal::Scalar(0.5)), |n| ("powers", Literal::Integer(n)));
-    assert_eq!(value(&[half.clone()]), 0.75);
+    assert_eq!(value(std::slice::from_ref(&half)), 0.75);
     assert_eq!(value(&[half.clone(), count(1)]), 0.5);
     let part = [("weighted", Literal::Boolean(true)), ("share", Literal::Scalar(0.5))];
     assert_eq!(value(&[&[half.clone(), count(3)], &part[..]].concat()), 0.4375);

@@ -143,6 +143,7 @@ mod tests {
     use crate::nodes::harness::assert_close;
 
     #[test]
+    #[expect(clippy::approx_constant, reason = "the point others try the published program at")]
     fn known_values() {
         // Of the published program, in 64 bits.
         for (position, exact) in [
