@@ -37,7 +37,7 @@ fn every_engine_gives_the_same_bits() {
         for kind in [0, 1] {
             let built = noise(integer(octaves), integer(kind), Build::new());
             let mut all = every_engine().into_iter().map(|options| {
-                let shader = built.shader(&[], options.clone());
+                let shader = built.shader(&[], options);
                 (format!("{options:?}"), shaded(&shader, &mut MockRenderer::default()))
             });
             let (_, first) = all.next().expect("there are engines");
@@ -61,17 +61,17 @@ fn another_value_is_other_code() {
         shaded(&fresh, &mut MockRenderer::default())
     };
     for options in every_engine() {
-        let mut shader = built.shader(&[], options.clone());
+        let mut shader = built.shader(&[], options);
         for octaves in [3, 8, 1, 1] {
             shader.set(&name, &Literal::Integer(octaves)).expect("it compiles anew");
             let now = shaded(&shader, &mut MockRenderer::default());
-            assert_eq!(now, of(octaves, options.clone()), "{octaves} octaves, {options:?}");
+            assert_eq!(now, of(octaves, options), "{octaves} octaves, {options:?}");
         }
         for nonsense in [0, 9, i32::MAX, i32::MIN] {
             let refused = shader.set(&name, &Literal::Integer(nonsense));
             assert!(matches!(refused, Err(ShaderError::Specialise(_))), "{nonsense}: {refused:?}");
             let now = shaded(&shader, &mut MockRenderer::default());
-            assert_eq!(now, of(1, options.clone()), "as before, {options:?}");
+            assert_eq!(now, of(1, options), "as before, {options:?}");
         }
     }
 }
