@@ -65,6 +65,34 @@ fn names_are_completed_in_unfinished_files() {
     editor.end();
 }
 
+/// Whatever a parameter may be is offered, at any depth, and the keys of that type.
+#[test]
+fn declarations_are_completed() {
+    let mut editor = Editor::start();
+    editor.open(GRAPH);
+    let mut labels = |written: &str| {
+        let mut labels =
+            editor.labels(&format!(r#"{{ "phenomenon": "a", "interface": {{ {written}"#));
+        labels.sort_unstable();
+        labels
+    };
+    let types = labels(r#""a": { "type": "|"#);
+    assert_eq!(types.len(), 13, "{types:?}");
+    for of in ["scalar", "transform", "string", "texture", "light", "shader", "array", "struct"] {
+        assert!(types.iter().any(|it| it == of), "{of} in {types:?}");
+    }
+    assert_eq!(labels(r#""a": { "type": "array", "of": { "type": "|"#), types);
+    assert_eq!(labels(r#""a": { "type": "struct", "members": { "b": { "type": "|"#), types);
+    let of_arrays = labels(r#""a": { "type": "array", "|"#);
+    assert_eq!(of_arrays, ["default", "doc", "editor", "of", "type"]);
+    let of_structs = labels(r#""a": { "type": "array", "of": { "type": "struct", "|"#);
+    assert_eq!(of_structs, ["default", "doc", "editor", "members", "type"]);
+    let of_numbers = labels(r#""a": { "type": "scalar", "|"#);
+    assert!(of_numbers.contains(&"soft_max".to_owned()) && !of_numbers.contains(&"of".to_owned()));
+    assert!(labels(r#""a": { "default": { "|"#).is_empty());
+    editor.end();
+}
+
 #[test]
 fn docs_are_told_where_the_pointer_is() {
     let mut editor = Editor::start();

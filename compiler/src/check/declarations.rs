@@ -19,6 +19,16 @@ enum Said {
     Struct,
 }
 
+impl Said {
+    fn name(self) -> &'static str {
+        match self {
+            Said::One(value_type) => value_type.name(),
+            Said::Array => keys::COMPOUNDS[0],
+            Said::Struct => keys::COMPOUNDS[1],
+        }
+    }
+}
+
 /// A declaration, before its default is looked at.
 pub(super) enum Declared<'d> {
     One(One<'d>),
@@ -58,13 +68,13 @@ pub(super) fn declaration<'d>(
         .into_iter()
         .map(|value_type| (value_type.name(), Said::One(value_type)))
         .collect();
-    choices.extend([("array", Said::Array), ("struct", Said::Struct)]);
+    choices.extend([Said::Array, Said::Struct].map(|said| (said.name(), said)));
     let said = object.required(reader, "type").and_then(|value| {
         let what = "the type of a parameter";
         reader.choice_or(value, what, &choices, synonyms::value_type)
     });
     let has_values = object.optional("values").is_some();
-    let keys = keys_of(said, has_values).iter().copied();
+    let keys = keys::of_declaration(said.map(Said::name), has_values).iter().copied();
     let keys: Vec<&str> = keys.filter(|key| top || *key != "default").collect();
     reader.object(value, what, &keys);
     match said {
@@ -81,20 +91,6 @@ pub(super) fn declaration<'d>(
             one(reader, &object, Type::Integer, what);
             None
         }
-    }
-}
-
-/// The keys a declaration may have.
-fn keys_of(said: Option<Said>, has_values: bool) -> &'static [&'static str] {
-    match said {
-        // What it may be is not known, so any of them may be right.
-        None => &keys::PARAMETER,
-        Some(Said::One(Type::Integer)) if has_values => &keys::ENUMERATION,
-        Some(Said::Array) => &keys::ARRAY,
-        Some(Said::Struct) => &keys::STRUCT,
-        Some(Said::One(Type::Scalar | Type::Color | Type::Vector)) => &keys::NUMERIC,
-        Some(Said::One(Type::Integer)) => &keys::INTEGER,
-        Some(Said::One(_)) => &keys::PLAIN,
     }
 }
 

@@ -24,7 +24,7 @@ mod graph;
 mod hazards;
 mod interface;
 mod intervals;
-mod keys;
+pub mod keys;
 mod limits;
 mod lists;
 mod literals;

@@ -9,22 +9,8 @@ use crate::effects::{Asked, Effect, Trace};
 use crate::nodes::Kind;
 
 use super::draft::Draft;
+use super::keys;
 use crate::graph::{Requirements, RootKind};
-
-/// The keys of `requires`.
-pub(super) const KEYS: [&str; 11] = [
-    "scanline",
-    "trace",
-    "shadow",
-    "face",
-    "space",
-    "texture",
-    "bump",
-    "volume_level",
-    "derivative",
-    "parallel",
-    "apply",
-];
 
 /// Requirements as far as they are joined, with who has those that two parts of a scene cannot have
 /// differently.
@@ -210,6 +196,6 @@ fn read<'d>(reader: &mut Reader<'d>, member: &'d Member, requirements: &mut Join
             }
             requirements.rest.apply = Some(apply);
         }
-        _ => reader.unknown_key(member, "`requires`", &KEYS),
+        _ => reader.unknown_key(member, "`requires`", &keys::REQUIRES),
     }
 }

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::parts::{described, object, reference};
-use crate::check::MAX_SHADERS;
+use crate::check::{MAX_SHADERS, keys};
 use crate::document::FORMAT;
 use crate::graph::RootKind;
 use crate::nodes::{DefaultValue, Input, NodeLibrary, Signature};
@@ -156,8 +156,7 @@ fn declaration(with_default: bool) -> Value {
             "doc": text, "editor": {},
         }),
     );
-    let mut names: Vec<&str> = Type::ALL.iter().map(|of| of.name()).collect();
-    names.extend(["array", "struct"]);
+    let names = keys::declared_types();
     json!({ "type": "object", "required": ["type"], "properties": { "type": { "enum": names } }, "allOf": choices })
 }
 
@@ -295,4 +294,44 @@ fn input_schema(input: &Input) -> Value {
         return described(&format!("{}_list", source_name(input.value_type)), &doc);
     }
     described(source_name(input.value_type), &doc)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn properties(of: &Value) -> Vec<&str> {
+        let mut keys: Vec<&str> =
+            of["properties"].as_object().unwrap().keys().map(String::as_str).collect();
+        keys.sort_unstable();
+        keys
+    }
+
+    fn sorted<'k>(keys: &[&'k str]) -> Vec<&'k str> {
+        let mut keys = keys.to_vec();
+        keys.sort_unstable();
+        keys
+    }
+
+    /// The schema's objects have the keys the reader knows, no more and no less.
+    #[test]
+    fn the_schema_knows_the_keys_of_the_reader() {
+        assert_eq!(properties(&graph()), sorted(&keys::PHENOMENON));
+        assert_eq!(properties(&node(&NodeLibrary::standard())), sorted(&keys::NODE));
+        assert_eq!(properties(&requires()), sorted(&keys::REQUIRES));
+        let declarations = declaration(true);
+        let choices = declarations["allOf"].as_array().unwrap();
+        assert_eq!(choices.len(), keys::declared_types().len());
+        for choice in choices {
+            let name = choice["if"]["properties"]["type"]["const"].as_str();
+            let known = keys::of_declaration(name, false);
+            assert_eq!(properties(&choice["then"]), sorted(known), "{name:?}");
+        }
+        let of_enumerations = keys::of_declaration(Some("integer"), true);
+        assert!(
+            of_enumerations
+                .iter()
+                .all(|key| { keys::of_declaration(Some("integer"), false).contains(key) })
+        );
+    }
 }

@@ -1,5 +1,6 @@
 //! What can be written where the cursor stands.
 
+use phenomenon_compiler::check::keys;
 use phenomenon_compiler::document::Member;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -45,22 +46,15 @@ pub fn complete(
         return in_scene(file, &cursor, &path, files, &item);
     }
     match (path.as_slice(), cursor.at_key) {
-        ([], true) => words(&[
-            "phenomenon",
-            "format",
-            "version",
-            "doc",
-            "requires",
-            "interface",
-            "nodes",
-            "roots",
-        ]),
-        (["nodes", _], true) => words(&["type", "inputs", "doc", "version"]),
-        (["interface", _], true) => words(&[
-            "type", "default", "min", "max", "soft_min", "soft_max", "unit", "doc", "values",
-        ]),
-        (["interface", _, "type"], false) => {
-            words(&["scalar", "integer", "boolean", "color", "vector", "lights"])
+        ([], true) => words(&keys::PHENOMENON),
+        (["requires"], true) => words(&keys::REQUIRES),
+        (["nodes", _], true) => words(&keys::NODE),
+        (["interface", place @ ..], true) if is_declaration(place) => {
+            let of = cursor.siblings.get("type").map(String::as_str);
+            words(keys::of_declaration(of, cursor.siblings.contains_key("values")))
+        }
+        (["interface", place @ .., "type"], false) if is_declaration(place) => {
+            words(&keys::declared_types())
         }
         (["roots"], true) => words(&RootKind::ALL.map(RootKind::name)),
         (["nodes", _, "type"], false) => {
@@ -94,8 +88,17 @@ pub fn complete(
             let parameters = members(file, "interface").iter();
             parameters.map(|it| item(&it.key, VARIABLE, &of(it), &doc(it))).collect()
         }
-        (["nodes", _, "inputs", _] | ["roots", _], true) => words(&["node", "output", "interface"]),
+        (["nodes", _, "inputs", _] | ["roots", _], true) => words(&keys::CONNECTION),
         _ => Vec::new(),
+    }
+}
+
+/// Whether a place below `interface` is that of a declaration: of a parameter, of an element, or of a member.
+fn is_declaration(place: &[&str]) -> bool {
+    match place {
+        [_] => true,
+        [inner @ .., "of"] | [inner @ .., "members", _] => is_declaration(inner),
+        _ => false,
     }
 }
 
