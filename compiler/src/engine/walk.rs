@@ -6,7 +6,6 @@
 //! stamped rather than emptied: nothing is hashed or allocated for a point.
 
 use crate::effects::{LightList, Renderer, TextureId};
-use crate::emit::MAX_OUTPUTS;
 use crate::kernels::BodyForms;
 use crate::specialise::{
     Context, EpochId, Instance, InstanceId, InstanceKind, Specialised, Subject, Turns,
@@ -47,7 +46,7 @@ pub fn walk(
 /// What a walk works in; kept between walks so that nothing is allocated per point.
 #[derive(Debug, Default)]
 pub struct Memory {
-    /// Uniform words, then slots.
+    /// Uniform words, then slots, then one for the outcome of a guard.
     words: Vec<u32>,
     /// Per instance, the pass through its epoch in which it was evaluated.
     done: Vec<u64>,
@@ -88,7 +87,8 @@ struct Frame {
 
 impl Memory {
     fn fit(&mut self, graph: &Specialised) {
-        let words = graph.uniforms.values().len() + graph.slots as usize;
+        // The last word is for what a guard yields.
+        let words = graph.uniforms.values().len() + graph.slots as usize + 1;
         self.words.resize(words.max(self.words.len()), 0);
         // Stamps another graph left behind do not count: every pass number is used once.
         self.done.resize(graph.instances.len().max(self.done.len()), 0);
@@ -151,9 +151,9 @@ impl Walk<'_> {
             }
             let holds = match &demand.guard {
                 Some(guard) => {
-                    let mut outcome = [0];
-                    self.run(&guard.code, &guard.words, &mut outcome);
-                    outcome[0] != 0
+                    let outcome = self.uniforms + graph.slots as usize;
+                    self.run(&guard.code, &guard.words, outcome, 1);
+                    self.memory.words[outcome] != 0
                 }
                 None => true,
             };
@@ -175,10 +175,12 @@ impl Walk<'_> {
         self.mark_done(frame.instance);
     }
 
-    fn run(&mut self, code: &BodyForms, sources: &[Source], outputs: &mut [u32]) {
+    /// Runs a body, and writes its words from a position on.
+    fn run(&mut self, code: &BodyForms, sources: &[Source], at: usize, outputs: usize) {
         let mut inputs = std::mem::take(&mut self.memory.inputs);
         inputs.clear();
         inputs.extend(sources.iter().map(|source| self.word(*source)));
+        let outputs = &mut self.memory.words[at..at + outputs];
         match self.simd {
             Simd::Native => (code.scalar)(&inputs, outputs),
             Simd::Portable => code.scalar_portable(&inputs, outputs),
@@ -200,11 +202,8 @@ impl Walk<'_> {
     }
 
     fn plain(&mut self, instance: &Instance, code: &BodyForms) {
-        let mut outputs = [0; MAX_OUTPUTS];
-        let outputs = &mut outputs[..instance.outputs as usize];
-        self.run(code, &instance.words, outputs);
         let at = self.uniforms + instance.output as usize;
-        self.memory.words[at..at + outputs.len()].copy_from_slice(outputs);
+        self.run(code, &instance.words, at, instance.outputs as usize);
     }
 
     /// The state with the fields that scopes changed.

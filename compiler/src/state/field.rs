@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use crate::storage::Lanes;
 use crate::values::Type;
 
 use super::held::Held;
@@ -63,6 +64,16 @@ macro_rules! fields {
                 match self { $(Field::$variant => fields!(@read $how $place, state, words),)+ }
             }
 
+            /// Writes its words of up to eight states, each in a lane of its own; nothing for those of
+            /// loops.
+            #[inline]
+            pub fn gather(self, states: &[State], lanes: &mut [Lanes]) {
+                match self { $(Field::$variant => {
+                    const WIDTH: usize = Field::$variant.value_type().width();
+                    fields!(@gather $how $place, WIDTH, states, lanes)
+                })+ }
+            }
+
             /// Sets the field from its words; those of loops are not kept.
             #[inline]
             pub fn write(self, state: &mut State, words: &[u32]) {
@@ -76,6 +87,18 @@ macro_rules! fields {
     (@loop of $loop:ident) => { Some(Iterated::$loop) };
     (@read held ($($place:tt)+), $state:ident, $words:ident) => { $state.$($place)+.read($words) };
     (@read of $loop:ident, $state:ident, $words:ident) => { $words.fill(0) };
+    (@gather held ($($place:tt)+), $width:ident, $states:ident, $lanes:ident) => {
+        for (lane, state) in $states.iter().enumerate() {
+            let mut words = [0; $width];
+            state.$($place)+.read(&mut words);
+            for (lanes, word) in $lanes.iter_mut().zip(words) {
+                lanes.0[lane] = word;
+            }
+        }
+    };
+    (@gather of $loop:ident, $width:ident, $states:ident, $lanes:ident) => {{
+        let _: usize = $width;
+    }};
     (@write held ($($place:tt)+), $state:ident, $words:ident) => { $state.$($place)+.write($words) };
     (@write of $loop:ident, $state:ident, $words:ident) => { () };
 }
@@ -153,6 +176,7 @@ impl Field {
 mod tests {
     use super::super::ray_type::RayType;
     use super::*;
+    use crate::storage::LANES;
 
     #[test]
     fn numbers_of_ray_types_lead_back_and_the_field_tells_them() {
@@ -187,6 +211,14 @@ mod tests {
             }
             for &other in Field::ALL.iter().filter(|other| **other != field) {
                 assert_eq!(read(other, &state), read(other, &State::default()), "{field:?}");
+            }
+            let mut lanes = [Lanes([7; LANES]); Field::MOST_WORDS];
+            field.gather(&[state, State::default()], &mut lanes[..words.len()]);
+            if field.of_loop().is_none() {
+                let other = read(field, &State::default());
+                for (at, lanes) in lanes[..words.len()].iter().enumerate() {
+                    assert_eq!(lanes.0[..3], [words[at], other[at], 7], "{field:?}");
+                }
             }
             assert!(words.len() <= Field::MOST_WORDS);
         }

@@ -100,32 +100,27 @@ impl Run<'_> {
         self.memory.lanes[at].0[point % LANES] = word;
     }
 
-    /// Writes the state fields in use, and the mask of all points.
+    /// Writes the state fields in use, and the mask of all points, block by block.
     fn load(&mut self) {
-        let mut words = [0; Field::MOST_WORDS];
-        for &(field, first) in &self.program.schedule.fields {
-            let width = field.value_type().width();
-            for (point, state) in self.points.iter().enumerate() {
-                field.read(state, &mut words[..width]);
-                for (slot, word) in (first..).zip(&words[..width]) {
-                    self.set(slot, point, *word);
-                }
+        for (block, states) in self.points.chunks(LANES).enumerate() {
+            for &(field, first) in &self.program.schedule.fields {
+                let at = self.shape.slot(first, block);
+                let width = field.value_type().width();
+                field.gather(states, &mut self.memory.lanes[at..at + width]);
             }
-        }
-        for block in 0..self.blocks {
-            let lanes = (self.points.len() - block * LANES).min(LANES);
-            self.memory.todo[block] = (0xff_u32 >> (LANES - lanes)) as u8;
+            self.memory.todo[block] = (0xff_u32 >> (LANES - states.len())) as u8;
         }
     }
 
+    /// Reads the results, block by block.
     fn store(&self, results: &mut [Shaded]) {
-        let root = self.program.schedule.root;
-        for (point, result) in results.iter_mut().enumerate() {
-            let word = |at| self.word(Source::Slot(root + at), point);
-            *result = Shaded {
-                color: [word(0), word(1), word(2), word(3)].map(f32::from_bits),
-                ok: word(4) != 0,
-            };
+        for (block, results) in results.chunks_mut(LANES).enumerate() {
+            let at = self.shape.slot(self.program.schedule.root, block);
+            let [r, g, b, a, ok]: &[Lanes; 5] = &self.memory.lanes[at..].first_chunk().unwrap();
+            for (lane, result) in results.iter_mut().enumerate() {
+                let color = [r, g, b, a].map(|lanes| f32::from_bits(lanes.0[lane]));
+                *result = Shaded { color, ok: ok.0[lane] != 0 };
+            }
         }
     }
 
