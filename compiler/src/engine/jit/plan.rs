@@ -12,7 +12,7 @@ use super::{JitCode, JitError};
 
 /// Bodies of more operations run as kernels: eight lanes beat four there. A kernel has a price for
 /// each call, which few points share in a small batch.
-const HEAVY_OPS: usize = 20;
+const HEAVY_OPS: usize = 16;
 
 /// The same where batches are smaller than [`SMALL_BATCH`].
 const HEAVY_OPS_OF_FEW: usize = 96;
