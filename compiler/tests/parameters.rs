@@ -107,3 +107,32 @@ fn literals_are_constants_and_parameters_are_not() {
     assert!(constants.contains(&"#3f800000"), "the white of the mix, in\n{text}");
     assert!(!uniforms.is_empty(), "the tint, in\n{text}");
 }
+
+/// A choice is a word of its input: nodes and parameters of the same name do not hide it.
+#[test]
+fn a_choice_may_have_the_name_of_a_node() {
+    let library = Arc::new(NodeLibrary::standard());
+    let check = |kind: &str, octaves: &str| {
+        let text = format!(
+            r#"{{ "phenomenon": "named", "version": 1,
+                "interface": {{ "turbulence": {{ "type": "scalar", "default": 0.5 }} }},
+                "nodes": {{
+                    "noise": {{ "type": "perlin_noise", "inputs": {{ "kind": "{kind}", "octaves": {octaves} }} }},
+                    "shade": {{ "type": "mix", "inputs": {{ "a": [0, 0, 0], "b": [1, 1, 1],
+                        "weight": {{ "node": "both" }} }} }},
+                    "both": {{ "type": "multiply", "inputs": {{
+                        "a": {{ "node": "noise" }}, "b": {{ "interface": "turbulence" }} }} }} }},
+                "roots": {{ "material": {{ "node": "shade" }} }} }}"#
+        );
+        let document = document::read("named.json", text.as_bytes()).expect("it is JSON");
+        check_graph(&document, &library)
+    };
+    for kind in ["noise", "turbulence"] {
+        let checked = check(kind, "3");
+        assert!(checked.graph.is_some(), "{kind}: {:?}", checked.findings);
+    }
+    // What is no choice is taken for the node it names.
+    let checked = check("shade", "3");
+    assert!(checked.graph.is_none());
+    assert!(checked.findings[0].message.contains("`kind`"), "{:?}", checked.findings);
+}

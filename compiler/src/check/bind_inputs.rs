@@ -198,11 +198,13 @@ fn bind_node<'d>(
             continue;
         }
         let value = input.source.value;
-        if let (Some(labels), ValueKind::String(_)) = (labels(draft, node_type, at), &value.kind)
+        if let (Some(labels), ValueKind::String(text)) = (labels(draft, node_type, at), &value.kind)
             && input.source.kind == SourceKind::Literal
         {
             let choices: Vec<(&str, i32)> = (0..).zip(labels).map(|(at, it)| (it, at)).collect();
-            if references::report(reader, draft, value, None, &what) {
+            // A node may have the name of a choice, and stands beside it all the same.
+            let is_choice = choices.iter().any(|(label, _)| label == text);
+            if !is_choice && references::report(reader, draft, value, None, &what) {
                 continue;
             }
             if let Some(label) = reader.choice(value, &what(), &choices) {
