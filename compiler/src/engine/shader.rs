@@ -14,7 +14,7 @@ use crate::state::{RayType, State};
 use crate::values::{Literal, Texture};
 
 use super::execute::Program;
-use super::jit::{JitCode, JitError, Plan, worker};
+use super::jit::{JitCode, JitError, Pieces, Plan, worker};
 use super::memory::with_memory;
 use super::options::{Engine, Options, Simd};
 use super::runner::Runner;
@@ -138,8 +138,18 @@ impl Shader {
 
     /// The schedules of all roots, as text.
     pub fn print(&self) -> String {
+        self.print_with(Schedule::to_string)
+    }
+
+    /// What the jit makes of the schedules of all roots, as text: operations, and steps that stay kernels.
+    pub fn print_pieces(&self) -> String {
+        let batch = self.options.batch;
+        self.print_with(|schedule| Pieces::of(schedule, batch).to_string())
+    }
+
+    fn print_with(&self, text: impl Fn(&Schedule) -> String) -> String {
         let print = |program: &Compiled| {
-            let schedule = program.code.schedule.as_ref().map(Schedule::to_string);
+            let schedule = program.code.schedule.as_ref().map(&text);
             let ray_type = program.ray_type.map_or(String::new(), |of| format!(" for {of:?} rays"));
             format!("{}{ray_type}\n{}", program.root.name(), schedule.unwrap_or_default())
         };

@@ -133,3 +133,26 @@ pub struct Loop {
     /// Tables that belong to an iteration.
     pub emptied: Vec<usize>,
 }
+
+impl Request {
+    /// Every word it reads.
+    pub fn reads(&self) -> impl Iterator<Item = Source> {
+        self.words.iter().chain(scoped(&self.context)).copied()
+    }
+}
+
+impl Loop {
+    /// Every word it reads.
+    pub fn reads(&self) -> impl Iterator<Item = Source> {
+        let count = match self.turns {
+            Turns::Lights { .. } => None,
+            Turns::Samples { count, .. } => Some(count),
+        };
+        self.words.iter().chain(scoped(&self.context)).copied().chain(count)
+    }
+}
+
+/// The words of the fields that scopes changed.
+fn scoped(context: &Context) -> impl Iterator<Item = &Source> {
+    context.iter().flat_map(|(_, words)| words)
+}

@@ -1,24 +1,11 @@
-//! How the jit runs each segment: light steps fused into machine code, heavy ones as kernels.
-
-use std::collections::HashMap;
+//! The jit's plan: the pieces of a schedule, with the machine code of those that are fused.
 
 use crate::engine::options::Simd;
+use crate::schedule::Schedule;
+use crate::storage::{FileShape, Lanes, stride};
 
-use crate::ops::{Op, OpId, OpSegment, Tape, dead, fold, legalise, split};
-use crate::schedule::{Item, Schedule, Segment, Step};
-use crate::storage::{FileShape, Lanes, Source, stride};
-
+use super::pieces::{Piece, Pieces};
 use super::{JitCode, JitError};
-
-/// Bodies of more operations run as kernels: eight lanes beat four there. A kernel has a price for
-/// each call, which few points share in a small batch.
-const HEAVY_OPS: usize = 16;
-
-/// The same where batches are smaller than [`SMALL_BATCH`].
-const HEAVY_OPS_OF_FEW: usize = 96;
-
-/// Batches of fewer points, two blocks, are small.
-const SMALL_BATCH: usize = 16;
 
 /// The jit's plan for a schedule, with its code.
 #[derive(Debug)]
@@ -30,21 +17,6 @@ pub struct Plan {
     slots: usize,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Piece {
-    /// A function of the code.
-    Fused(usize),
-    /// A step of the segment, as a kernel.
-    Kernel(usize),
-}
-
-/// Steps of a segment that run as one, by position.
-#[derive(Clone, Copy)]
-enum Stretch {
-    Light { from: usize, to: usize },
-    Heavy(usize),
-}
-
 impl Plan {
     /// Plans and compiles `schedule` for a program of that many uniform words, to run over at most
     /// `batch` points at once.
@@ -54,35 +26,7 @@ impl Plan {
         simd: Simd,
         batch: usize,
     ) -> Result<Self, JitError> {
-        let heavy = if batch < SMALL_BATCH { HEAVY_OPS_OF_FEW } else { HEAVY_OPS };
-        let segments = schedule.segments.iter();
-        let stretches: Vec<_> = segments.map(|segment| stretches(segment, heavy)).collect();
-        let readers = Readers::new(schedule, &stretches);
-        // Scratch lives within one stretch, so all stretches share it.
-        let mut scratch = 0;
-        let mut functions = Vec::new();
-        let mut segments = Vec::new();
-        let mut number = 0;
-        for (segment, stretches) in schedule.segments.iter().zip(&stretches) {
-            let mut pieces = Vec::new();
-            for stretch in stretches {
-                match *stretch {
-                    Stretch::Heavy(step) => pieces.push(Piece::Kernel(step)),
-                    Stretch::Light { from, to } => {
-                        let ops = record(&segment.steps[from..to], number, &readers);
-                        let ops = dead::remove(&fold::fold(&legalise::legalise(&ops)));
-                        let split = split::split(&ops, split::COMFORTABLE, schedule.slots);
-                        scratch = scratch.max(split.scratch);
-                        for part in split.parts {
-                            pieces.push(Piece::Fused(functions.len()));
-                            functions.push(part);
-                        }
-                    }
-                }
-                number += 1;
-            }
-            segments.push(pieces);
-        }
+        let Pieces { segments, functions, scratch } = Pieces::of(schedule, batch);
         let slots = stride(schedule.slots + scratch);
         let code = JitCode::compile(&functions, FileShape { uniforms, slots })?;
         Ok(Self { segments, code, simd, slots })
@@ -112,123 +56,5 @@ impl Plan {
                 Piece::Kernel(step) => kernel(step, self.simd, lanes),
             }
         }
-    }
-}
-
-/// Cuts a segment at its heavy steps, of more operations than `heavy`.
-fn stretches(segment: &Segment, heavy: usize) -> Vec<Stretch> {
-    let mut stretches = Vec::new();
-    let mut from = 0;
-    for (at, step) in segment.steps.iter().enumerate() {
-        if step.code.recorded().weight() > heavy {
-            if from < at {
-                stretches.push(Stretch::Light { from, to: at });
-            }
-            stretches.push(Stretch::Heavy(at));
-            from = at + 1;
-        }
-    }
-    if from < segment.steps.len() {
-        stretches.push(Stretch::Light { from, to: segment.steps.len() });
-    }
-    stretches
-}
-
-/// Records steps as one segment of operations that stores what others read.
-fn record(steps: &[Step], number: usize, readers: &Readers) -> OpSegment {
-    let tape = Tape::new();
-    let mut sources: Vec<Source> = Vec::new();
-    let mut known: HashMap<Source, OpId> = HashMap::new();
-    let mut stores = Vec::new();
-    for step in steps {
-        let inputs: Vec<OpId> = step
-            .words
-            .iter()
-            .map(|source| {
-                *known.entry(*source).or_insert_with(|| {
-                    if let Source::Constant { bits, .. } = *source {
-                        return tape.push(Op::Constant(bits));
-                    }
-                    sources.push(*source);
-                    tape.push(Op::Load(sources.len() as u32 - 1))
-                })
-            })
-            .collect();
-        let mut outputs = vec![0; step.code.outputs];
-        step.code.record(&tape, &inputs, &mut outputs);
-        for (slot, id) in (step.output..).zip(outputs) {
-            known.insert(Source::Slot(slot), id);
-            if readers.outside(slot, number) {
-                stores.push((slot, id));
-            }
-        }
-    }
-    OpSegment { ops: tape.into_ops(), sources, stores }
-}
-
-/// Per slot, who reads it.
-struct Readers(Vec<Reader>);
-
-#[derive(Clone, Copy, PartialEq)]
-enum Reader {
-    Nobody,
-    /// One stretch, by its number over all segments.
-    Stretch(usize),
-    Several,
-}
-
-impl Readers {
-    fn new(schedule: &Schedule, stretches: &[Vec<Stretch>]) -> Self {
-        let mut readers = Self(vec![Reader::Nobody; schedule.slots as usize]);
-        let mut number = 0;
-        for (segment, stretches) in schedule.segments.iter().zip(stretches) {
-            for stretch in stretches {
-                let steps = match *stretch {
-                    Stretch::Light { from, to } => from..to,
-                    Stretch::Heavy(step) => step..step + 1,
-                };
-                for step in &segment.steps[steps] {
-                    readers.note(&step.words, Reader::Stretch(number));
-                }
-                number += 1;
-            }
-        }
-        for region in &schedule.regions {
-            for item in &region.items {
-                if let Item::Force { guard: Some(guard), .. } = item {
-                    readers.note(&[*guard], Reader::Several);
-                }
-            }
-        }
-        for request in &schedule.requests {
-            readers.note(&request.words, Reader::Several);
-            request.context.iter().for_each(|(_, words)| readers.note(words, Reader::Several));
-        }
-        for of in &schedule.loops {
-            readers.note(&of.words, Reader::Several);
-            of.context.iter().for_each(|(_, words)| readers.note(words, Reader::Several));
-        }
-        let root: Vec<Source> = (schedule.root..schedule.root + 5).map(Source::Slot).collect();
-        readers.note(&root, Reader::Several);
-        readers
-    }
-
-    fn note(&mut self, words: &[Source], reader: Reader) {
-        for word in words {
-            if let Source::Slot(slot) = word {
-                let known = &mut self.0[*slot as usize];
-                *known = match *known {
-                    Reader::Nobody => reader,
-                    same if same == reader => reader,
-                    _ => Reader::Several,
-                };
-            }
-        }
-    }
-
-    /// Whether anyone but the stretch of this number reads the slot.
-    fn outside(&self, slot: u32, number: usize) -> bool {
-        !matches!(self.0[slot as usize], Reader::Nobody)
-            && self.0[slot as usize] != Reader::Stretch(number)
     }
 }
