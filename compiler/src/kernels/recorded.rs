@@ -44,15 +44,19 @@ pub struct Recorded {
 impl Recorded {
     /// What this recorder records, for that many output words. It is recorded when first asked for, and
     /// kept as long as the program runs: there are as many as bodies.
+    ///
+    /// It is known by its address. Compilers fold functions only where their code is the same, which
+    /// then records the same; several addresses of one function cost nothing but memory.
     pub(super) fn of(recorder: Recorder, outputs: usize, fixed: Fixed) -> &'static Self {
         type All = HashMap<(usize, usize, Fixed), &'static Recorded>;
         static ALL: LazyLock<RwLock<All>> = LazyLock::new(RwLock::default);
         let key = (recorder as usize, outputs, fixed);
         let known = ALL.read().unwrap_or_else(PoisonError::into_inner).get(&key).copied();
         known.unwrap_or_else(|| {
+            // Before the lock is taken: a body may be anybody's.
+            let recorded = Self::new(recorder, outputs, fixed);
             let mut all = ALL.write().unwrap_or_else(PoisonError::into_inner);
-            all.entry(key)
-                .or_insert_with(|| Box::leak(Box::new(Self::new(recorder, outputs, fixed))))
+            all.entry(key).or_insert_with(|| Box::leak(Box::new(recorded)))
         })
     }
 

@@ -3,9 +3,9 @@
 use crate::effects::{Effect, Part};
 use crate::emit::MAX_OUTPUTS;
 use crate::state::{Iterated, Reduction};
-use crate::values::Type;
+use crate::values::{Literal, Type};
 
-use super::{Definition, Kind, Signature};
+use super::{DefaultValue, Definition, Kind, Signature};
 
 /// What is wrong with a definition.
 #[derive(Debug, thiserror::Error, PartialEq, Eq)]
@@ -74,7 +74,34 @@ pub enum DefinitionError {
         /// Guards of a form.
         guards: usize,
     },
+    /// A guard yields something else than one truth value.
+    #[error("the guard of input `{input}` of `{node}` writes {written} words where 1 is due")]
+    GuardWords {
+        /// The node type.
+        node: String,
+        /// The input.
+        input: String,
+        /// Words the guard writes.
+        written: usize,
+    },
+    /// It has no form at all.
+    #[error("`{0}` has no overload")]
+    NoOverload(String),
+    /// A number that is known before shading has no end that loops can run to.
+    #[error(
+        "input `{input}` of `{node}` is known before shading, so it has to be an integer with a range \
+         within 0 to {MOST_FIXED}, its default included"
+    )]
+    Fixed {
+        /// The node type.
+        node: String,
+        /// The input.
+        input: String,
+    },
 }
+
+/// Largest number that may be known before shading: what is recorded for it is unrolled.
+pub const MOST_FIXED: i32 = 1024;
 
 impl Definition {
     /// Whether engines can run it.
@@ -89,11 +116,33 @@ impl Definition {
         if let Kind::Loop(iterated, reduction) = signature.kind {
             check_loop(signature, iterated, reduction)?;
         }
+        let node = || signature.name.to_owned();
+        if self.overloads.is_empty() {
+            return Err(DefinitionError::NoOverload(node()));
+        }
+        for input in signature.inputs.iter().filter(|input| input.fixed) {
+            let range = 0.0..=f64::from(MOST_FIXED);
+            let within = range.contains(input.range.start()) && range.contains(input.range.end());
+            let default = match &input.default {
+                DefaultValue::Literal(Literal::Integer(number)) => {
+                    input.range.contains(&f64::from(*number))
+                }
+                _ => false,
+            };
+            if !(input.value_type == Type::Integer && within && default) {
+                return Err(DefinitionError::Fixed { node: node(), input: input.name.to_owned() });
+            }
+        }
         for overload in &self.overloads {
-            let node = || signature.name.to_owned();
             let (inputs, guards) = (signature.inputs.len(), overload.guards.len());
             if inputs != guards {
                 return Err(DefinitionError::Guards { node: node(), inputs, guards });
+            }
+            for (input, guard) in signature.inputs.iter().zip(&overload.guards) {
+                if let Some(guard) = guard.filter(|guard| guard.outputs != 1) {
+                    let (input, written) = (input.name.to_owned(), guard.outputs);
+                    return Err(DefinitionError::GuardWords { node: node(), input, written });
+                }
             }
             // A phenomenon has no body of its own.
             let Some(code) = overload.code else { continue };
@@ -180,11 +229,35 @@ fn listed(parts: &[Part]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::nodes::NodeLibrary;
+    use crate::nodes::{FINITE, NodeLibrary};
 
     fn standard(name: &str) -> Definition {
         let library = NodeLibrary::standard();
         library.definition(library.find(name).expect("a standard node")).clone()
+    }
+
+    #[test]
+    fn a_guard_yields_one_word_and_there_is_a_form() {
+        let mut mix = standard("mix");
+        let wide = mix.overloads[2].code;
+        mix.overloads[2].guards[1] = wide;
+        let error = mix.check().expect_err("a colour is no truth value").to_string();
+        assert_eq!(error, "the guard of input `a` of `mix` writes 4 words where 1 is due");
+        mix.overloads.clear();
+        assert_eq!(mix.check().unwrap_err().to_string(), "`mix` has no overload");
+    }
+
+    #[test]
+    fn what_is_known_before_shading_has_an_end() {
+        let noise = standard("perlin_noise");
+        assert_eq!(noise.check(), Ok(()));
+        for range in [FINITE, -1.0..=8.0, 1.0..=1025.0, 5.0..=8.0] {
+            let mut noise = noise.clone();
+            let at = noise.signature.input("octaves").unwrap();
+            noise.signature.inputs[at].range = range.clone();
+            let error = noise.check().expect_err("a loop over it may not end");
+            assert!(matches!(error, DefinitionError::Fixed { .. }), "{range:?}: {error}");
+        }
     }
 
     #[test]

@@ -27,7 +27,10 @@ impl Emit for Intervals {
         let larger = |high: f32, &x: &f32| if x > high { x } else { high };
         let low = numbers.iter().fold(f32::INFINITY, smaller);
         let high = numbers.iter().fold(f32::NEG_INFINITY, larger);
-        let identity = derived(table.numbers().as_ptr() as u64, &[index.identity]);
+        // Tables may begin at one place and differ in length.
+        let (first_number, length) =
+            (table.numbers().as_ptr() as u64, table.numbers().len() as u64);
+        let identity = derived(first_number, &[length, index.identity]);
         let nan = numbers.iter().any(|x| x.is_nan());
         let known = Interval::between(low, high, index.reads, identity);
         Interval { smooth: false, nan, ..known }
