@@ -116,10 +116,11 @@ impl Run<'_> {
     fn store(&self, results: &mut [Shaded]) {
         for (block, results) in results.chunks_mut(LANES).enumerate() {
             let at = self.shape.slot(self.program.schedule.root, block);
-            let [r, g, b, a, ok]: &[Lanes; 5] = &self.memory.lanes[at..].first_chunk().unwrap();
+            let root = &self.memory.lanes[at..at + 5];
             for (lane, result) in results.iter_mut().enumerate() {
-                let color = [r, g, b, a].map(|lanes| f32::from_bits(lanes.0[lane]));
-                *result = Shaded { color, ok: ok.0[lane] != 0 };
+                let word = |at: usize| root[at].0[lane];
+                let color = [word(0), word(1), word(2), word(3)].map(f32::from_bits);
+                *result = Shaded { color, ok: word(4) != 0 };
             }
         }
     }
