@@ -135,4 +135,11 @@ fn a_choice_may_have_the_name_of_a_node() {
     let checked = check("shade", "3");
     assert!(checked.graph.is_none());
     assert!(checked.findings[0].message.contains("`kind`"), "{:?}", checked.findings);
+    // No help leads to what is refused next: a connection, or another type.
+    for octaves in ["\"two\"", "\"shade\"", "true", "[3]", "null"] {
+        let checked = check("noise", octaves);
+        let errors: Vec<_> = checked.findings.iter().map(|it| it.help.as_str()).collect();
+        assert!(checked.graph.is_none());
+        assert_eq!(errors, ["write a whole number in 1 to 8"], "{octaves}");
+    }
 }

@@ -1,11 +1,13 @@
 //! Inputs that are known before shading: what may give them.
 
 use crate::diagnostics::{Code, Finding, listed, shortened, shown};
-use crate::document::Reader;
+use crate::document::{Reader, ValueKind};
 use crate::nodes::Input;
 use crate::values::Type;
 
 use super::draft::{Draft, Source, SourceKind};
+use super::mismatch;
+use super::type_names::with_article;
 
 /// Whether a source can give such an input, or a finding: no node can, and a parameter only if it
 /// never leaves the input's range, since the code is made for its value.
@@ -39,14 +41,28 @@ pub(super) fn suits(
                 shown(&parameter.range)
             );
             let (least, most) = (input.range.start(), input.range.end());
-            let help = format!("give `{name}` a `min` of {least} and a `max` of {most}");
+            let help = match parameter.labels.len() {
+                0 => format!("give `{name}` a `min` of {least} and a `max` of {most}"),
+                _ => format!("give `{name}` at most {} `values`", most + 1.0),
+            };
             let place = reader.document.place(source.value);
             let declared = reader.document.place_of_key(draft.parameters[at].member);
             let finding = Finding::new(Code::FIXED_INPUT, place, message, help);
             reader.findings.push(finding.with_related(declared, "declared here"));
             false
         }
-        SourceKind::Literal | SourceKind::Compound(_) | SourceKind::Broken => true,
+        SourceKind::Literal => {
+            let is_word = matches!(source.value.kind, ValueKind::String(_));
+            let suits = matches!(source.value.kind, ValueKind::Number(_))
+                || is_word && !input.choices.is_empty();
+            if !suits {
+                let given = format!("not {}", source.value.describe());
+                let texts = (&*what(), &*with_article(Type::Integer), &*given);
+                mismatch::report(reader, source.value, texts, format!("write {}", form(input)));
+            }
+            suits
+        }
+        SourceKind::Compound(_) | SourceKind::Broken => true,
     }
 }
 
