@@ -310,4 +310,6 @@ fn what_is_known_before_shading_is_so_from_outside() {
     assert_eq!(of(r#""octaves": { "interface": "any" }"#), [Code::FIXED_INPUT]);
     assert_eq!(of(r#""octaves": { "node": "s", "output": "ray_type" }"#), [Code::FIXED_INPUT]);
     assert_eq!(of(r#""octaves": 9"#), [Code::NUMBER_OUT_OF_RANGE]);
+    assert_eq!(of(r#""kind": "cells""#), [Code::UNKNOWN_CHOICE]);
+    assert_eq!(of(r#""kind": true, "octaves": "two""#), [Code::TYPE_MISMATCH; 2]);
 }

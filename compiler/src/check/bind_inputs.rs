@@ -194,11 +194,15 @@ fn bind_node<'d>(
         };
         let Some(to) = to else { continue };
         let declared = &signature.inputs[at];
-        if declared.fixed && !fixed_inputs::suits(reader, draft, &input.source, declared, &what) {
+        let labels = labels(draft, node_type, at);
+        let words = labels.as_deref().unwrap_or_default();
+        if declared.fixed
+            && !fixed_inputs::suits(reader, draft, &input.source, (declared, words), &what)
+        {
             continue;
         }
         let value = input.source.value;
-        if let (Some(labels), ValueKind::String(text)) = (labels(draft, node_type, at), &value.kind)
+        if let (Some(labels), ValueKind::String(text)) = (labels, &value.kind)
             && input.source.kind == SourceKind::Literal
         {
             let choices: Vec<(&str, i32)> = (0..).zip(labels).map(|(at, it)| (it, at)).collect();

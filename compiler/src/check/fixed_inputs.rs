@@ -9,19 +9,19 @@ use super::draft::{Draft, Source, SourceKind};
 use super::mismatch;
 use super::type_names::with_article;
 
-/// Whether a source can give such an input, or a finding: no node can, and a parameter only if it
+/// Whether a source can give such an input, with the words of a choice, or a finding: no node can, and a parameter only if it
 /// never leaves the input's range, since the code is made for its value.
 pub(super) fn suits(
     reader: &mut Reader<'_>,
     draft: &Draft<'_>,
     source: &Source<'_>,
-    input: &Input,
+    (input, words): (&Input, &[&str]),
     what: &dyn Fn() -> String,
 ) -> bool {
     match source.kind {
         SourceKind::Node(..) => {
             let message = format!("{} is known before shading, so no node can give it", what());
-            let help = format!("give {}, or a parameter of type integer", form(input));
+            let help = format!("give {}, or a parameter of type integer", form(input, words));
             reader.report(Code::FIXED_INPUT, source.value, message, help);
             false
         }
@@ -53,12 +53,17 @@ pub(super) fn suits(
         }
         SourceKind::Literal => {
             let is_word = matches!(source.value.kind, ValueKind::String(_));
-            let suits = matches!(source.value.kind, ValueKind::Number(_))
-                || is_word && !input.choices.is_empty();
+            let suits =
+                matches!(source.value.kind, ValueKind::Number(_)) || is_word && !words.is_empty();
             if !suits {
                 let given = format!("not {}", source.value.describe());
                 let texts = (&*what(), &*with_article(Type::Integer), &*given);
-                mismatch::report(reader, source.value, texts, format!("write {}", form(input)));
+                mismatch::report(
+                    reader,
+                    source.value,
+                    texts,
+                    format!("write {}", form(input, words)),
+                );
             }
             suits
         }
@@ -67,10 +72,10 @@ pub(super) fn suits(
 }
 
 /// What a literal for it looks like.
-fn form(input: &Input) -> String {
-    if input.choices.is_empty() {
+fn form(input: &Input, words: &[&str]) -> String {
+    if words.is_empty() {
         format!("a whole number in {}", shown(&input.range))
     } else {
-        format!("one of {}", listed(input.choices.iter().copied()))
+        format!("one of {}", listed(words.iter().copied()))
     }
 }
