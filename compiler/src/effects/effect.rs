@@ -65,7 +65,7 @@ macro_rules! effects {
             }
 
             /// State fields that may matter to the answer, besides the arguments; a scope that
-            /// changes one of them asks anew. All of the state goes to the renderer.
+            /// changes one of them asks anew. Where there are any, all of the state goes to the renderer.
             pub fn reads(self) -> &'static [Field] {
                 match self { $(Effect::$variant => &[$(Field::$field),*],)+ }
             }

@@ -62,7 +62,8 @@ pub trait Renderer {
 
     /// What the light sample with each point's token sends there, after shadows (r, g, b), divided by
     /// the number of samples of its light: a loop only adds. The token is one that
-    /// [`Renderer::light_samples`] gave out for the point.
+    /// [`Renderer::light_samples`] gave out for the point as the loop sees it; a scope inside the loop may
+    /// have moved it since.
     fn light_colors(&mut self, _points: &[State], _tokens: &[u64], colors: &mut [[f32; 3]]) {
         colors.fill([0.0; 3]);
     }

@@ -1,4 +1,4 @@
-//! One point at a time, over `f32`: the tree walk, and lane by lane the portable form of the kernels.
+//! One point at a time, over `f32`: the tree walk. Its types are those of the portable forms too.
 
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 

@@ -3,7 +3,8 @@
 //! engines.
 //!
 //! Instances stand on an explicit stack, so that no chain is too deep. The cache is indexed, and
-//! stamped rather than emptied: nothing is hashed or allocated for a point.
+//! stamped rather than emptied: nothing is hashed or allocated for a point, but by portable forms, which
+//! look up what their bodies recorded.
 
 use crate::effects::{LightList, Renderer, TextureId};
 use crate::kernels::BodyForms;

@@ -22,7 +22,7 @@ use super::{
 /// Most instances of one root.
 pub const MAX_INSTANCES: usize = 1 << 20;
 
-/// Most light loops round an evaluation.
+/// Most loops round an evaluation.
 pub const MAX_NESTED_LOOPS: usize = 4;
 
 /// Specialises `graph` for a root of it, a ray type, and the values of its parameters.
