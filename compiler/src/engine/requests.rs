@@ -1,8 +1,10 @@
 //! Requests as words: how both ways of running a graph put them to the renderer. They gather the words
 //! of arguments and hand out those of answers; what an effect means is known here alone.
 
+use cranelift_entity::PrimaryMap;
+
 use crate::effects::{Answer, Asked, Effect, Ray, Renderer, TextureId, Trace};
-use crate::specialise::{Subject, mix_key};
+use crate::specialise::{Subject, TexturePosition, mix_key};
 use crate::state::State;
 
 /// The key of a request with one more loop round it.
@@ -23,11 +25,11 @@ pub(super) enum Question {
 
 impl Question {
     /// The question of a request at a site; none if it lacks what the effect needs.
-    pub(super) fn of(
+    pub(super) fn of<L>(
         effect: Effect,
-        subject: Subject,
+        subject: Subject<L>,
         site: u64,
-        textures: &[TextureId],
+        textures: &PrimaryMap<TexturePosition, TextureId>,
     ) -> Option<Self> {
         match (effect.asked(), subject) {
             (Asked::Rays(trace), _) => Some(Question::Rays(trace, site)),

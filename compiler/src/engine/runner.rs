@@ -1,6 +1,6 @@
 //! How segments are run: kernel by kernel, or as the jit planned.
 
-use crate::schedule::{Schedule, Step};
+use crate::schedule::{Schedule, SegmentId, Step};
 use crate::storage::{FileShape, Lanes, Placement, stride};
 
 use super::jit::Plan;
@@ -28,7 +28,7 @@ impl Runner<'_> {
     pub fn segment(
         &self,
         schedule: &Schedule,
-        segment: usize,
+        segment: SegmentId,
         shape: FileShape,
         lanes: &mut [Lanes],
         blocks: usize,

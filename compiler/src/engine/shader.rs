@@ -243,7 +243,7 @@ impl Shade for Shader {
 
     fn effects(&self, root: RootKind) -> EffectSet {
         let programs = self.programs.iter().filter(|program| program.root == root);
-        let instances = programs.flat_map(|program| &program.code.specialised.instances);
+        let instances = programs.flat_map(|program| program.code.specialised.instances.values());
         instances
             .filter_map(|instance| match instance.kind {
                 InstanceKind::Request { effect, .. } => Some(effect),
@@ -254,7 +254,7 @@ impl Shade for Shader {
 
     fn textures(&self) -> BTreeSet<Texture> {
         let programs = self.programs.iter();
-        programs.flat_map(|program| program.code.specialised.textures.iter().cloned()).collect()
+        programs.flat_map(|program| program.code.specialised.textures.values().cloned()).collect()
     }
 
     fn shade(

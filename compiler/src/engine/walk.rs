@@ -6,10 +6,13 @@
 //! stamped rather than emptied: nothing is hashed or allocated for a point, but by portable forms, which
 //! look up what their bodies recorded.
 
+use cranelift_entity::{EntityRef, PrimaryMap, SecondaryMap};
+
 use crate::effects::{LightList, Renderer, TextureId};
 use crate::kernels::BodyForms;
 use crate::specialise::{
-    Context, EpochId, Instance, InstanceId, InstanceKind, Specialised, Subject, Turns,
+    Context, EpochId, Instance, InstanceId, InstanceKind, LightListId, LightTableId, Specialised,
+    Subject, TexturePosition, Turns,
 };
 use crate::state::{Field, Reduction, State};
 use crate::storage::Source;
@@ -30,10 +33,8 @@ pub fn walk(
     results: &mut [Shaded],
     memory: &mut Memory,
 ) {
-    let lists: Vec<LightList> =
-        graph.light_lists.iter().map(|names| renderer.light_list(names)).collect();
-    let textures: Vec<TextureId> =
-        graph.textures.iter().map(|texture| renderer.texture(texture)).collect();
+    let lists = graph.light_lists.values().map(|names| renderer.light_list(names)).collect();
+    let textures = graph.textures.values().map(|texture| renderer.texture(texture)).collect();
     memory.fit(graph);
     memory.words[..uniforms.len()].copy_from_slice(uniforms);
     let uniforms = uniforms.len();
@@ -50,13 +51,13 @@ pub struct Memory {
     /// Uniform words, then slots, then one for the outcome of a guard.
     words: Vec<u32>,
     /// Per instance, the pass through its epoch in which it was evaluated.
-    done: Vec<u64>,
+    done: SecondaryMap<InstanceId, u64>,
     /// Per epoch, the current pass.
-    pass: Vec<u64>,
+    pass: SecondaryMap<EpochId, u64>,
     passes: u64,
     /// Per epoch that is a loop: where it stands.
-    loops: Vec<LoopPosition>,
-    tables: Vec<Kept>,
+    loops: SecondaryMap<EpochId, LoopPosition>,
+    tables: SecondaryMap<LightTableId, Kept>,
     stack: Vec<Frame>,
     inputs: Vec<u32>,
     asking: Asking,
@@ -92,18 +93,21 @@ impl Memory {
         let words = graph.uniforms.values().len() + graph.slots as usize + 1;
         self.words.resize(words.max(self.words.len()), 0);
         // Stamps another graph left behind do not count: every pass number is used once.
-        self.done.resize(graph.instances.len().max(self.done.len()), 0);
-        self.pass.resize(graph.epochs.0.len().max(self.pass.len()), 0);
-        self.loops.resize(graph.epochs.0.len().max(self.loops.len()), LoopPosition::default());
-        self.tables.resize_with(graph.tables.len().max(self.tables.len()), Kept::default);
+        grow(&mut self.done, graph.instances.len());
+        grow(&mut self.pass, graph.epochs.0.len());
     }
+}
+
+/// Makes room for the first `count` keys; what is there stays.
+fn grow<K: EntityRef>(map: &mut SecondaryMap<K, u64>, count: usize) {
+    map.resize(count.max(map.as_values_slice().len()));
 }
 
 struct Walk<'a> {
     graph: &'a Specialised,
     simd: Simd,
-    lists: &'a [LightList],
-    textures: &'a [TextureId],
+    lists: &'a PrimaryMap<LightListId, LightList>,
+    textures: &'a PrimaryMap<TexturePosition, TextureId>,
     uniforms: usize,
     renderer: &'a mut dyn Renderer,
     memory: &'a mut Memory,
@@ -113,7 +117,8 @@ impl Walk<'_> {
     fn point(&mut self, state: &State) -> Shaded {
         let graph = self.graph;
         self.memory.passes += 1;
-        self.memory.pass.fill(self.memory.passes);
+        let Memory { pass, passes, .. } = &mut *self.memory;
+        pass.values_mut().for_each(|pass| *pass = *passes);
         for &(field, first) in &graph.fields {
             let at = self.uniforms + first as usize;
             field.read(state, &mut self.memory.words[at..at + field.value_type().width()]);
@@ -262,7 +267,7 @@ impl Walk<'_> {
 
     /// Where an answer about a light sample is kept: its table, the turn of its loop, and the pass in
     /// which it holds.
-    fn kept(&self, subject: Subject) -> Option<(usize, usize, u64)> {
+    fn kept(&self, subject: Subject<EpochId>) -> Option<(LightTableId, usize, u64)> {
         let Subject::Light { of, table } = subject else { return None };
         let turn = self.memory.loops[of].next.wrapping_sub(1);
         Some((table, turn, self.memory.pass[self.graph.tables[table].epoch]))
@@ -319,7 +324,7 @@ impl Walk<'_> {
     }
 
     /// What is asked for a turn of a loop.
-    fn turn(&self, turns: &Turns, number: usize) -> Turn {
+    fn turn(&self, turns: &Turns<EpochId>, number: usize) -> Turn {
         match turns {
             Turns::Lights { list } => Turn::OfLights(self.lists[*list], number),
             Turns::Samples { site, loops, .. } => {
@@ -349,7 +354,7 @@ impl Walk<'_> {
     /// Everything in the epoch, and in those inside it, is to be evaluated anew.
     fn pass_anew(&mut self, epoch: EpochId) {
         self.memory.passes += 1;
-        for inner in epoch..self.graph.epochs.0.len() {
+        for inner in self.graph.epochs.0.keys().skip(epoch.index()) {
             if self.graph.epochs.within(inner, epoch) {
                 self.memory.pass[inner] = self.memory.passes;
             }

@@ -1,31 +1,37 @@
 //! From a specialised graph to its schedule.
 
+use cranelift_entity::packed_option::PackedOption;
+use cranelift_entity::{EntitySet, PrimaryMap, SecondaryMap};
+
 use crate::specialise::{EpochId, Instance, InstanceId, InstanceKind, Specialised, Subject, Turns};
 use crate::storage::Source;
 
-use super::{Item, Loop, Region, RegionId, Request, Schedule, Segment, Step};
+use super::{
+    Item, Loop, LoopId, Region, RegionId, Request, RequestId, Schedule, Segment, SegmentId, Step,
+};
 
 /// Schedules a specialised graph.
 pub fn schedule(graph: &Specialised) -> Schedule {
     let reachable = reachable(graph);
     let effectful = effectful(graph, &reachable);
-    let homes = homes(graph, &reachable, &effectful);
+    let homes = homes(graph, &effectful);
     let mut builder = Builder {
         graph,
         effectful: &effectful,
         homes: &homes,
-        regions: vec![Region::default(); homes.count],
-        segments: Vec::new(),
-        requests: Vec::new(),
-        loops: Vec::new(),
+        regions: PrimaryMap::new(),
+        segments: PrimaryMap::new(),
+        requests: PrimaryMap::new(),
+        loops: PrimaryMap::new(),
         slots: graph.slots,
-        loop_of_epoch: vec![None; graph.epochs.0.len()],
-        emitted: vec![false; graph.instances.len()],
+        loop_of_epoch: SecondaryMap::new(),
+        emitted: EntitySet::new(),
     };
-    builder.list_loops(&reachable);
+    builder.list_loops();
     let pure = builder.pure_by_loop(&reachable);
-    for (region, head) in homes.heads.iter().enumerate() {
-        builder.region(region, head, &pure);
+    for (region, head) in &homes.heads {
+        let filled = builder.region(region, head, &pure);
+        builder.regions.push(filled);
     }
     let root = graph.instances[graph.root()].output;
     Schedule {
@@ -52,27 +58,30 @@ fn sources(instance: &Instance) -> impl Iterator<Item = InstanceId> {
 }
 
 /// What the root may demand. Sources come before their users, so one pass from the end suffices.
-fn reachable(graph: &Specialised) -> Vec<bool> {
-    let mut reachable = vec![false; graph.instances.len()];
-    reachable[graph.root()] = true;
-    for id in (0..graph.instances.len()).rev() {
-        if reachable[id] {
-            sources(&graph.instances[id]).for_each(|source| reachable[source] = true);
+fn reachable(graph: &Specialised) -> EntitySet<InstanceId> {
+    let mut reachable = EntitySet::with_capacity(graph.instances.len());
+    reachable.insert(graph.root());
+    for (id, instance) in graph.instances.iter().rev() {
+        if reachable.contains(id) {
+            reachable.extend(sources(instance));
         }
     }
     reachable
 }
 
 /// What asks something of the renderer, or reads what does.
-fn effectful(graph: &Specialised, reachable: &[bool]) -> Vec<bool> {
-    let mut effectful = vec![false; graph.instances.len()];
-    for (id, instance) in graph.instances.iter().enumerate() {
+fn effectful(graph: &Specialised, reachable: &EntitySet<InstanceId>) -> EntitySet<InstanceId> {
+    let mut effectful = EntitySet::with_capacity(graph.instances.len());
+    for (id, instance) in &graph.instances {
         let asks = !matches!(instance.kind, InstanceKind::Plain(_));
-        effectful[id] =
-            reachable[id] && (asks || sources(instance).any(|source| effectful[source]));
+        if reachable.contains(id)
+            && (asks || sources(instance).any(|source| effectful.contains(source)))
+        {
+            effectful.insert(id);
+        }
     }
     // The root is a region of its own, whatever it asks.
-    effectful[graph.root()] = true;
+    effectful.insert(graph.root());
     effectful
 }
 
@@ -87,43 +96,44 @@ enum Head {
 
 /// The region each effectful instance is run in.
 struct Homes {
-    region: Vec<Option<RegionId>>,
-    heads: Vec<Head>,
+    region: SecondaryMap<InstanceId, PackedOption<RegionId>>,
+    heads: PrimaryMap<RegionId, Head>,
     /// Per loop instance, the region of its body.
-    bodies: Vec<Option<RegionId>>,
-    count: usize,
+    bodies: SecondaryMap<InstanceId, PackedOption<RegionId>>,
 }
 
 /// Finds a region for every effectful instance, users before sources: that of its users if all
 /// demand it in one region, without guard and in its own loop; else one of its own.
-fn homes(graph: &Specialised, reachable: &[bool], effectful: &[bool]) -> Homes {
-    #[derive(Clone, Copy, PartialEq)]
+fn homes(graph: &Specialised, effectful: &EntitySet<InstanceId>) -> Homes {
+    #[derive(Clone, Copy, Default, PartialEq)]
     enum Demanded {
+        #[default]
         Not,
         In(RegionId),
         Apart,
     }
-    let count = graph.instances.len();
-    let mut demanded = vec![Demanded::Not; count];
-    let mut homes =
-        Homes { region: vec![None; count], heads: Vec::new(), bodies: vec![None; count], count: 0 };
+    let mut demanded: SecondaryMap<InstanceId, Demanded> = SecondaryMap::new();
+    let mut homes = Homes {
+        region: SecondaryMap::new(),
+        heads: PrimaryMap::new(),
+        bodies: SecondaryMap::new(),
+    };
     // The innermost loop epoch each region runs in.
-    let mut region_loops: Vec<Option<EpochId>> = Vec::new();
-    for id in (0..count).rev() {
-        if !reachable[id] || !effectful[id] {
+    let mut region_loops: SecondaryMap<RegionId, Option<EpochId>> = SecondaryMap::new();
+    for (id, instance) in graph.instances.iter().rev() {
+        if !effectful.contains(id) {
             continue;
         }
-        let instance = &graph.instances[id];
         let own_loop = graph.epochs.innermost_loop(instance.epoch);
         let region = match demanded[id] {
             Demanded::In(region) if region_loops[region] == own_loop => region,
             _ => {
-                homes.heads.push(Head::Instance(id));
-                region_loops.push(own_loop);
-                homes.heads.len() - 1
+                let region = homes.heads.push(Head::Instance(id));
+                region_loops[region] = own_loop;
+                region
             }
         };
-        homes.region[id] = Some(region);
+        homes.region[id] = region.into();
         let mut demand = |source: InstanceId, place: Demanded| {
             demanded[source] = match demanded[source] {
                 Demanded::Not => place,
@@ -136,31 +146,32 @@ fn homes(graph: &Specialised, reachable: &[bool], effectful: &[bool]) -> Homes {
             demand(edge.source, if apart { Demanded::Apart } else { Demanded::In(region) });
         }
         if let InstanceKind::Loop { epoch, body, .. } = &instance.kind {
-            homes.heads.push(Head::Body(id));
-            region_loops.push(Some(*epoch));
-            let inside = homes.heads.len() - 1;
-            homes.bodies[id] = Some(inside);
+            let inside = homes.heads.push(Head::Body(id));
+            region_loops[inside] = Some(*epoch);
+            homes.bodies[id] = inside.into();
             if let Some(body) = body {
                 demand(*body, Demanded::In(inside));
             }
         }
     }
-    homes.count = homes.heads.len();
     homes
 }
 
+/// See [`Builder::pure_by_loop`].
+type PureByLoop = SecondaryMap<EpochId, Vec<InstanceId>>;
+
 struct Builder<'a> {
     graph: &'a Specialised,
-    effectful: &'a [bool],
+    effectful: &'a EntitySet<InstanceId>,
     homes: &'a Homes,
-    regions: Vec<Region>,
-    segments: Vec<Segment>,
-    requests: Vec<Request>,
-    loops: Vec<Loop>,
+    regions: PrimaryMap<RegionId, Region>,
+    segments: PrimaryMap<SegmentId, Segment>,
+    requests: PrimaryMap<RequestId, Request>,
+    loops: PrimaryMap<LoopId, Loop>,
     slots: u32,
-    loop_of_epoch: Vec<Option<usize>>,
+    loop_of_epoch: SecondaryMap<EpochId, PackedOption<LoopId>>,
     /// Effectful instances that stand in their region already.
-    emitted: Vec<bool>,
+    emitted: EntitySet<InstanceId>,
 }
 
 /// A region being filled.
@@ -172,15 +183,14 @@ struct Open {
 
 impl Builder<'_> {
     /// Lists the loops. First all get their positions, for requests and loops inside name them.
-    fn list_loops(&mut self, reachable: &[bool]) {
-        let mut bodies = Vec::new();
-        for (id, instance) in self.graph.instances.iter().enumerate() {
+    fn list_loops(&mut self) {
+        let mut bodies: PrimaryMap<LoopId, _> = PrimaryMap::new();
+        for (id, instance) in &self.graph.instances {
             let InstanceKind::Loop { epoch, .. } = instance.kind else { continue };
-            let Some(region) = self.homes.bodies[id].filter(|_| reachable[id]) else { continue };
-            self.loop_of_epoch[epoch] = Some(bodies.len());
-            bodies.push((instance, region));
+            let Some(region) = self.homes.bodies[id].expand() else { continue };
+            self.loop_of_epoch[epoch] = bodies.push((instance, region)).into();
         }
-        for (instance, region) in bodies {
+        for &(instance, region) in bodies.values() {
             self.loops.extend(self.new_loop(instance, region));
         }
     }
@@ -194,16 +204,18 @@ impl Builder<'_> {
             return None;
         };
         let inside = |of: EpochId| self.graph.epochs.within(of, *epoch);
-        let renewed = self.homes.heads.iter().enumerate().filter_map(|(region, head)| {
+        let renewed = self.homes.heads.iter().filter_map(|(region, head)| {
             let Head::Instance(head) = head else { return None };
             inside(self.graph.instances[*head].epoch).then_some(region)
         });
-        let tables = self.graph.tables.iter().enumerate();
+        let tables = self.graph.tables.iter();
         let emptied = tables.filter_map(|(at, table)| inside(table.epoch).then_some(at));
-        let mut turns = turns.clone();
-        if let Turns::Samples { loops, .. } = &mut turns {
-            *loops = self.positions(loops);
-        }
+        let turns = match turns {
+            Turns::Lights { list } => Turns::Lights { list: *list },
+            Turns::Samples { count, site, loops } => {
+                Turns::Samples { count: *count, site: *site, loops: self.positions(loops) }
+            }
+        };
         Some(Loop {
             name: instance.name.clone(),
             turns,
@@ -221,41 +233,41 @@ impl Builder<'_> {
     }
 
     /// The positions of the loops of epochs.
-    fn positions(&self, epochs: &[EpochId]) -> Vec<usize> {
-        epochs.iter().filter_map(|epoch| self.loop_of_epoch[*epoch]).collect()
+    fn positions(&self, epochs: &[EpochId]) -> Vec<LoopId> {
+        epochs.iter().filter_map(|epoch| self.loop_of_epoch[*epoch].expand()).collect()
     }
 
-    /// Pure instances by the innermost loop they belong to: first those of no loop.
-    fn pure_by_loop(&self, reachable: &[bool]) -> Vec<Vec<InstanceId>> {
-        let mut pure = vec![Vec::new(); self.graph.epochs.0.len() + 1];
-        for (id, instance) in self.graph.instances.iter().enumerate() {
-            if reachable[id] && !self.effectful[id] {
+    /// Pure instances by the innermost loop they belong to; those of no loop by the point.
+    fn pure_by_loop(&self, reachable: &EntitySet<InstanceId>) -> PureByLoop {
+        let mut pure = PureByLoop::new();
+        for (id, instance) in &self.graph.instances {
+            if reachable.contains(id) && !self.effectful.contains(id) {
                 let at = self.graph.epochs.innermost_loop(instance.epoch);
-                pure[at.map_or(0, |epoch| epoch + 1)].push(id);
+                pure[at.unwrap_or(EpochId::POINT)].push(id);
             }
         }
         pure
     }
 
     /// Fills one region.
-    fn region(&mut self, region: RegionId, head: &Head, pure: &[Vec<InstanceId>]) {
+    fn region(&mut self, region: RegionId, head: &Head, pure: &PureByLoop) -> Region {
         let mut open = Open { items: Vec::new(), pending: Segment::default(), stack: Vec::new() };
         let (name, prologue) = match head {
             Head::Instance(id) => {
                 open.stack.push((*id, 0));
                 let is_root = *id == self.graph.root();
-                (self.graph.instances[*id].name.clone(), is_root.then_some(0))
+                (self.graph.instances[*id].name.clone(), is_root.then_some(EpochId::POINT))
             }
             Head::Body(id) => {
                 let instance = &self.graph.instances[*id];
                 let mut prologue = None;
                 if let InstanceKind::Loop { epoch, body, .. } = &instance.kind {
-                    prologue = Some(epoch + 1);
-                    if let Some(body) = body.filter(|body| self.effectful[*body]) {
-                        if self.homes.region[body] == Some(region) {
+                    prologue = Some(*epoch);
+                    if let Some(body) = body.filter(|body| self.effectful.contains(*body)) {
+                        let forced = self.homes.region[body].expand().unwrap_or(region);
+                        if forced == region {
                             open.stack.push((body, 0));
                         } else {
-                            let forced = self.homes.region[body].unwrap_or(region);
                             open.items.push(Item::Force { region: forced, guard: None });
                         }
                     }
@@ -264,7 +276,7 @@ impl Builder<'_> {
             }
         };
         let forced_first = std::mem::take(&mut open.items);
-        for &id in prologue.map_or(&[][..], |at| &pure[at]) {
+        for &id in prologue.map_or(&[][..], |of| &pure[of]) {
             self.evaluate(&mut open, id);
         }
         if !forced_first.is_empty() {
@@ -275,7 +287,7 @@ impl Builder<'_> {
             self.visit(region, &mut open, id, next);
         }
         self.flush(&mut open);
-        self.regions[region] = Region { name, items: open.items };
+        Region { name, items: open.items }
     }
 
     /// Goes on with an effectful instance of this region: what it demands first, then itself.
@@ -284,12 +296,12 @@ impl Builder<'_> {
         let instance = &graph.instances[id];
         while let Some(demand) = instance.demands.get(next) {
             next += 1;
-            if !self.effectful[demand.source] {
+            if !self.effectful.contains(demand.source) {
                 continue;
             }
-            let home = self.homes.region[demand.source];
+            let home = self.homes.region[demand.source].expand();
             if home == Some(region) {
-                if !self.emitted[demand.source] {
+                if !self.emitted.contains(demand.source) {
                     open.stack.push((id, next));
                     open.stack.push((demand.source, 0));
                     return;
@@ -313,14 +325,13 @@ impl Builder<'_> {
                 open.items.push(Item::Force { region: forced, guard });
             }
         }
-        self.emitted[id] = true;
+        self.emitted.insert(id);
         match &instance.kind {
             InstanceKind::Plain(_) => self.evaluate(open, id),
             InstanceKind::Request { effect, context, site, loops, subject } => {
                 self.flush(open);
-                open.items.push(Item::Request(self.requests.len()));
                 let loops = self.positions(loops);
-                self.requests.push(Request {
+                let request = self.requests.push(Request {
                     name: instance.name.clone(),
                     effect: *effect,
                     words: instance.words.clone(),
@@ -331,22 +342,24 @@ impl Builder<'_> {
                     loops,
                     subject: self.subject(*subject),
                 });
+                open.items.push(Item::Request(request));
             }
             InstanceKind::Loop { epoch, .. } => {
                 self.flush(open);
-                open.items.extend(self.loop_of_epoch[*epoch].map(Item::Loop));
+                open.items.extend(self.loop_of_epoch[*epoch].expand().map(Item::Loop));
             }
         }
     }
 
     /// What a request is about, a loop by its position in the schedule.
-    fn subject(&self, subject: Subject) -> Subject {
+    fn subject(&self, subject: Subject<EpochId>) -> Subject<LoopId> {
         match subject {
-            Subject::Light { of, table } => match self.loop_of_epoch[of] {
+            Subject::Light { of, table } => match self.loop_of_epoch[of].expand() {
                 Some(of) => Subject::Light { of, table },
                 None => unreachable!("what is asked inside a loop is reached through the loop"),
             },
-            Subject::Point | Subject::Texture(_) => subject,
+            Subject::Point => Subject::Point,
+            Subject::Texture(texture) => Subject::Texture(texture),
         }
     }
 
@@ -364,8 +377,8 @@ impl Builder<'_> {
 
     fn flush(&mut self, open: &mut Open) {
         if !open.pending.steps.is_empty() {
-            open.items.push(Item::Segment(self.segments.len()));
-            self.segments.push(std::mem::take(&mut open.pending));
+            let segment = self.segments.push(std::mem::take(&mut open.pending));
+            open.items.push(Item::Segment(segment));
         }
     }
 }

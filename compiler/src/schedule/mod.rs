@@ -11,8 +11,10 @@
 //! all points; where they were valid before they come out the same.
 
 mod build;
+mod ids;
 mod print;
 mod regions;
 
 pub use build::schedule;
-pub use regions::{Item, Loop, Region, RegionId, Request, Schedule, Segment, Step};
+pub use ids::{LoopId, RegionId, RequestId, SegmentId};
+pub use regions::{Item, Loop, Region, Request, Schedule, Segment, Step};

@@ -27,8 +27,8 @@ impl fmt::Display for Schedule {
         for (field, first) in &self.fields {
             writeln!(f, "s{first} = state {}", field.name())?;
         }
-        for (at, region) in self.regions.iter().enumerate() {
-            writeln!(f, "region {at} ({}):", region.name)?;
+        for (at, region) in &self.regions {
+            writeln!(f, "region {} ({}):", at.as_u32(), region.name)?;
             for item in &region.items {
                 self.item(f, item)?;
             }
@@ -41,14 +41,14 @@ impl Schedule {
     fn item(&self, f: &mut fmt::Formatter<'_>, item: &Item) -> fmt::Result {
         match item {
             Item::Segment(at) => {
-                writeln!(f, "  segment {at}")?;
+                writeln!(f, "  segment {}", at.as_u32())?;
                 for step in &self.segments[*at].steps {
                     writeln!(f, "    s{} = {} ({})", step.output, step.name, Words(&step.words))?;
                 }
                 Ok(())
             }
             Item::Force { region, guard } => {
-                let name = &self.regions[*region].name;
+                let (name, region) = (&self.regions[*region].name, region.as_u32());
                 match guard {
                     Some(guard) => {
                         let guard = [*guard];
@@ -65,7 +65,7 @@ impl Schedule {
             }
             Item::Loop(at) => {
                 let of = &self.loops[*at];
-                let (output, name, region) = (of.output, &of.name, of.region);
+                let (output, name, region) = (of.output, &of.name, of.region.as_u32());
                 writeln!(f, "  s{output} = loop {name} over region {region}")
             }
         }

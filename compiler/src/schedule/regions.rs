@@ -1,26 +1,29 @@
 //! The parts of a schedule.
 
+use cranelift_entity::PrimaryMap;
+
 use crate::effects::Effect;
 use crate::kernels::BodyForms;
-use crate::specialise::{Context, EpochId, LightTable, Subject, Turns};
+use crate::specialise::{
+    Context, EpochId, LightListId, LightTable, LightTableId, Subject, TexturePosition, Turns,
+};
 use crate::state::{Field, Reduction};
 use crate::storage::Source;
 use crate::values::{Texture, Type};
 
-/// Position in [`Schedule::regions`].
-pub type RegionId = usize;
+use super::{LoopId, RegionId, RequestId, SegmentId};
 
 /// A program for batches of points.
 #[derive(Clone, Debug)]
 pub struct Schedule {
     /// Regions; the first is the root's.
-    pub regions: Vec<Region>,
+    pub regions: PrimaryMap<RegionId, Region>,
     /// Segments.
-    pub segments: Vec<Segment>,
+    pub segments: PrimaryMap<SegmentId, Segment>,
     /// Requests.
-    pub requests: Vec<Request>,
+    pub requests: PrimaryMap<RequestId, Request>,
     /// Loops.
-    pub loops: Vec<Loop>,
+    pub loops: PrimaryMap<LoopId, Loop>,
     /// State fields in use, each with the first of its slots.
     pub fields: Vec<(Field, u32)>,
     /// Slots of a block.
@@ -28,11 +31,11 @@ pub struct Schedule {
     /// First of the root's slots: colour, then ok.
     pub root: u32,
     /// Names of the lights loops run over.
-    pub light_lists: Vec<Vec<String>>,
+    pub light_lists: PrimaryMap<LightListId, Vec<String>>,
     /// Tables of light colours.
-    pub tables: Vec<LightTable>,
+    pub tables: PrimaryMap<LightTableId, LightTable>,
     /// Textures that are read.
-    pub textures: Vec<Texture>,
+    pub textures: PrimaryMap<TexturePosition, Texture>,
 }
 
 /// What is demanded under one mask.
@@ -48,7 +51,7 @@ pub struct Region {
 #[derive(Clone, Debug)]
 pub enum Item {
     /// Evaluate a segment for all points.
-    Segment(usize),
+    Segment(SegmentId),
     /// Run a region where the mask holds, the guard holds, and it was not run yet.
     Force {
         /// Which.
@@ -57,9 +60,9 @@ pub enum Item {
         guard: Option<Source>,
     },
     /// Ask the renderer, where the mask holds.
-    Request(usize),
+    Request(RequestId),
     /// Run a loop, where the mask holds.
-    Loop(usize),
+    Loop(LoopId),
 }
 
 /// Pure code: steps in order, each reading only what is ready.
@@ -99,10 +102,10 @@ pub struct Request {
     pub context: Context,
     /// Key of its random numbers.
     pub site: u64,
-    /// Positions of the loops round it, outermost first.
-    pub loops: Vec<usize>,
+    /// The loops round it, outermost first.
+    pub loops: Vec<LoopId>,
     /// What it is about.
-    pub subject: Subject,
+    pub subject: Subject<LoopId>,
 }
 
 /// A loop.
@@ -110,8 +113,8 @@ pub struct Request {
 pub struct Loop {
     /// The node, for printing.
     pub name: String,
-    /// What it runs over; loops round it by their positions.
-    pub turns: Turns,
+    /// What it runs over.
+    pub turns: Turns<LoopId>,
     /// How the body's values become one.
     pub reduction: Reduction,
     /// Type of the body's values, and of what they become.
@@ -131,7 +134,7 @@ pub struct Loop {
     /// Regions whose heads belong to an iteration: to be run anew in each.
     pub renewed: Vec<RegionId>,
     /// Tables that belong to an iteration.
-    pub emptied: Vec<usize>,
+    pub emptied: Vec<LightTableId>,
 }
 
 impl Request {

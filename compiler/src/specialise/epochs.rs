@@ -1,7 +1,9 @@
 //! Epochs: the stretches of time over which a node has one value.
 
+use cranelift_entity::PrimaryMap;
+
 use super::keys::{PATH_KEY, path_key};
-use super::{EpochId, InstanceId};
+use super::{EpochId, InstanceId, LightListId};
 use crate::state::{Field, FieldSet, Iterated};
 use crate::storage::Source;
 
@@ -28,7 +30,7 @@ pub enum EpochKind {
         /// First of the slots of the fields a turn provides.
         fields: u32,
         /// Position of the light list, of a loop over lights.
-        list: Option<usize>,
+        list: Option<LightListId>,
     },
 }
 
@@ -52,19 +54,20 @@ pub struct Epoch {
 
 /// The tree of epochs; the first is the point itself.
 #[derive(Clone, Debug)]
-pub struct Epochs(pub Vec<Epoch>);
+pub struct Epochs(pub PrimaryMap<EpochId, Epoch>);
 
 impl Epochs {
     /// Only the point itself.
     pub fn new() -> Self {
-        Self(vec![Epoch {
-            parent: 0,
+        let point = Epoch {
+            parent: EpochId::POINT,
             changes: FieldSet::NONE,
             kind: EpochKind::Point,
             name: String::new(),
             path_key: PATH_KEY,
             loops: Vec::new(),
-        }])
+        };
+        Self(PrimaryMap::from_iter([point]))
     }
 
     /// Opens an epoch inside `parent`.
@@ -75,7 +78,7 @@ impl Epochs {
         changes: FieldSet,
         kind: EpochKind,
     ) -> EpochId {
-        let id = self.0.len();
+        let id = self.0.next_key();
         let outer = &self.0[parent];
         let mut loops = outer.loops.clone();
         if matches!(kind, EpochKind::Loop { .. }) {
@@ -83,19 +86,18 @@ impl Epochs {
         }
         let path_key = path_key(path_key(outer.path_key, name), "/");
         let name = name.to_owned();
-        self.0.push(Epoch { parent, changes, kind, name, path_key, loops });
-        id
+        self.0.push(Epoch { parent, changes, kind, name, path_key, loops })
     }
 
     /// The names of scopes and loops down to `epoch`, each followed by `/`; of a deep nest the
     /// innermost only.
     pub fn path(&self, mut epoch: EpochId) -> String {
         let mut names = Vec::new();
-        while epoch != 0 && names.len() < SHOWN_NAMES {
+        while epoch != EpochId::POINT && names.len() < SHOWN_NAMES {
             names.push(self.0[epoch].name.as_str());
             epoch = self.0[epoch].parent;
         }
-        let mut path = if epoch == 0 { String::new() } else { "…/".to_owned() };
+        let mut path = if epoch == EpochId::POINT { String::new() } else { "…/".to_owned() };
         for name in names.iter().rev() {
             path.push_str(name);
             path.push('/');
@@ -105,7 +107,7 @@ impl Epochs {
 
     /// The outermost epoch in which something that reads `fields` has the value it has in `epoch`.
     pub fn effective(&self, mut epoch: EpochId, fields: FieldSet) -> EpochId {
-        while epoch != 0 && !self.0[epoch].changes.meets(fields) {
+        while epoch != EpochId::POINT && !self.0[epoch].changes.meets(fields) {
             epoch = self.0[epoch].parent;
         }
         epoch
@@ -113,7 +115,7 @@ impl Epochs {
 
     /// Where a field has its words in `epoch`: the nearest epoch outwards that changes it.
     pub fn changed_in(&self, mut epoch: EpochId, field: Field) -> Option<EpochId> {
-        while epoch != 0 {
+        while epoch != EpochId::POINT {
             if self.0[epoch].changes.contains(field) {
                 return Some(epoch);
             }
@@ -128,7 +130,7 @@ impl Epochs {
     }
 
     /// The innermost loop over lights round `epoch`, itself included, and the position of its list.
-    pub fn innermost_lights(&self, epoch: EpochId) -> Option<(EpochId, usize)> {
+    pub fn innermost_lights(&self, epoch: EpochId) -> Option<(EpochId, LightListId)> {
         self.0[epoch].loops.iter().rev().find_map(|&of| match self.0[of].kind {
             EpochKind::Loop { list, .. } => list.map(|list| (of, list)),
             EpochKind::Point | EpochKind::Scope { .. } => None,
@@ -141,7 +143,7 @@ impl Epochs {
             if inner == outer {
                 return true;
             }
-            if inner == 0 {
+            if inner == EpochId::POINT {
                 return false;
             }
             inner = self.0[inner].parent;

@@ -1,12 +1,14 @@
 //! The data of a specialised graph.
 
+use cranelift_entity::PrimaryMap;
+
 use crate::effects::Effect;
 use crate::kernels::BodyForms;
 use crate::state::{Field, Reduction};
 use crate::storage::Source;
 use crate::values::{Texture, Type};
 
-use super::{EpochId, Epochs, InstanceId, Uniforms};
+use super::{EpochId, Epochs, InstanceId, LightListId, LightTableId, TexturePosition, Uniforms};
 
 /// One evaluation of a node: at most once per point and pass through its epoch.
 #[derive(Clone, Debug)]
@@ -43,14 +45,14 @@ pub enum InstanceKind {
         /// Loop epochs round it, outermost first: their iterations go into the key too.
         loops: Vec<EpochId>,
         /// What it is about.
-        subject: Subject,
+        subject: Subject<EpochId>,
     },
     /// By running a body in every turn. Its last demand is the body.
     Loop {
         /// Epoch of the body.
         epoch: EpochId,
         /// What it runs over.
-        turns: Turns,
+        turns: Turns<EpochId>,
         /// How the body's values become one.
         reduction: Reduction,
         /// Type of the body's values, and of what they become.
@@ -66,13 +68,14 @@ pub enum InstanceKind {
     },
 }
 
-/// What a loop runs over, with what it takes.
+/// What a loop runs over, with what it takes. Loops are named by `L`: by their epochs in a specialised
+/// graph, by their positions in a schedule.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Turns {
+pub enum Turns<L> {
     /// The samples of lights.
     Lights {
-        /// Position in [`Specialised::light_lists`].
-        list: usize,
+        /// The lights.
+        list: LightListId,
     },
     /// Samples.
     Samples {
@@ -81,23 +84,23 @@ pub enum Turns {
         /// Key of their random numbers: a hash of the loop's path of names.
         site: u64,
         /// Loops round it, outermost first, as in [`InstanceKind::Request`].
-        loops: Vec<usize>,
+        loops: Vec<L>,
     },
 }
 
-/// What a request is about, besides the point that asks.
+/// What a request is about, besides the point that asks. Loops are named by `L`, as in [`Turns`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Subject {
+pub enum Subject<L> {
     /// Nothing else.
     Point,
-    /// A texture: its position in [`Specialised::textures`].
-    Texture(usize),
+    /// A texture.
+    Texture(TexturePosition),
     /// The sample of a loop over lights.
     Light {
-        /// The loop: its epoch in a specialised graph, its position in a schedule.
-        of: usize,
-        /// Position in [`Specialised::tables`]: where answers are kept.
-        table: usize,
+        /// The loop.
+        of: L,
+        /// Where answers are kept.
+        table: LightTableId,
     },
 }
 
@@ -125,8 +128,8 @@ pub struct Guard {
 /// Light colours already asked for, shared by all loops over the same lights in the same epoch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct LightTable {
-    /// Position in [`Specialised::light_lists`].
-    pub list: usize,
+    /// The lights.
+    pub list: LightListId,
     /// Passing through this epoch anew empties the table.
     pub epoch: EpochId,
 }
@@ -135,7 +138,7 @@ pub struct LightTable {
 #[derive(Clone, Debug)]
 pub struct Specialised {
     /// Evaluations, demanded ones first; the last is the root's.
-    pub instances: Vec<Instance>,
+    pub instances: PrimaryMap<InstanceId, Instance>,
     /// Epochs.
     pub epochs: Epochs,
     /// Uniform words.
@@ -147,16 +150,20 @@ pub struct Specialised {
     /// Slots in use.
     pub slots: u32,
     /// Names of the lights loops run over.
-    pub light_lists: Vec<Vec<String>>,
+    pub light_lists: PrimaryMap<LightListId, Vec<String>>,
     /// Tables of light colours.
-    pub tables: Vec<LightTable>,
+    pub tables: PrimaryMap<LightTableId, LightTable>,
     /// Textures that are read.
-    pub textures: Vec<Texture>,
+    pub textures: PrimaryMap<TexturePosition, Texture>,
 }
 
 impl Specialised {
     /// The root: four words of colour, then ok.
+    ///
+    /// # Panics
+    /// If there is no instance; the root is always one.
     pub fn root(&self) -> InstanceId {
-        self.instances.len() - 1
+        let (root, _) = self.instances.last().expect("the root is an instance");
+        root
     }
 }

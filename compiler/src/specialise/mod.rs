@@ -15,7 +15,7 @@ mod views;
 pub use epochs::{Epoch, EpochKind, Epochs};
 pub use error::SpecialiseError;
 pub use expand::{MAX_INSTANCES, MAX_NESTED_LOOPS, expand};
-pub use ids::{EpochId, InstanceId};
+pub use ids::{EpochId, InstanceId, LightListId, LightTableId, TexturePosition};
 pub use instances::{
     Context, Demand, Guard, Instance, InstanceKind, LightTable, Specialised, Subject, Turns,
 };

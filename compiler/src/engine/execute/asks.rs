@@ -1,8 +1,8 @@
 //! Requests of a batch.
 
 use crate::engine::requests::Question;
-use crate::schedule::Request;
-use crate::specialise::Subject;
+use crate::schedule::{LoopId, Request};
+use crate::specialise::{LightTableId, Subject};
 use crate::storage::LANES;
 
 use super::memory::Table;
@@ -58,7 +58,13 @@ impl Run<'_> {
     }
 
     /// Writes what is known of the light sample, and leaves the points of which nothing is.
-    fn take_known(&mut self, request: &Request, of: usize, table: usize, points: &mut Vec<usize>) {
+    fn take_known(
+        &mut self,
+        request: &Request,
+        of: LoopId,
+        table: LightTableId,
+        points: &mut Vec<usize>,
+    ) {
         let width = request.outputs as usize;
         let turn = self.memory.iterations[of].wrapping_sub(1);
         let kept = &mut self.memory.tables[table];

@@ -2,7 +2,7 @@
 
 use crate::engine::requests::iteration_key;
 use crate::engine::turns::{Turn, Turning, turns_of};
-use crate::schedule::{Loop, RegionId};
+use crate::schedule::{Loop, LoopId, RegionId};
 use crate::specialise::Turns;
 use crate::state::Reduction;
 use crate::storage::{LANES, Source};
@@ -12,7 +12,7 @@ use super::run::Run;
 
 impl Run<'_> {
     /// Makes a loop ready for the points it is to be run for; tells how many turns there are at most.
-    pub(super) fn start(&mut self, at: usize, within: RegionId) -> usize {
+    pub(super) fn start(&mut self, at: LoopId, within: RegionId) -> usize {
         let of = &self.program.schedule.loops[at];
         self.memory.iterations[at] = 0;
         self.choose(within);
@@ -36,7 +36,7 @@ impl Run<'_> {
     }
 
     /// Takes what the last turn yielded, if there was one, and starts the next.
-    pub(super) fn iterate(&mut self, at: usize, within: RegionId, count: usize) {
+    pub(super) fn iterate(&mut self, at: LoopId, within: RegionId, count: usize) {
         let of = &self.program.schedule.loops[at];
         if self.memory.iterations[at] > 0 {
             self.reduce(of, of.region, |of, words, value, _| {
@@ -90,21 +90,22 @@ impl Run<'_> {
     }
 
     /// Writes what a turn provides, and the mask of the points that take part; false if none does.
-    fn turn(&mut self, at: usize, within: RegionId, number: usize) -> bool {
+    fn turn(&mut self, at: LoopId, within: RegionId, number: usize) -> bool {
         let of = &self.program.schedule.loops[at];
         self.choose(within);
         let chosen = std::mem::take(&mut self.memory.chosen);
         let mut turning = std::mem::take(&mut self.memory.turning);
         let turn = self.gather(of, number, &chosen, &mut turning);
         turning.turn(turn, self.renderer);
-        self.memory.todo[of.region * self.blocks..][..self.blocks].fill(0);
+        let first = self.mask(of.region, 0);
+        self.memory.todo[first..first + self.blocks].fill(0);
         self.memory.tokens[at].resize(self.blocks * LANES, 0);
         let width = turning.words.len() / chosen.len().max(1);
         let mut any = false;
         for (k, &point) in chosen.iter().enumerate().filter(|(k, _)| turning.reached[*k]) {
             any = true;
             self.memory.tokens[at][point] = turning.tokens[k];
-            self.memory.todo[of.region * self.blocks + point / LANES] |= 1 << (point % LANES);
+            self.memory.todo[first + point / LANES] |= 1 << (point % LANES);
             for (slot, word) in (of.fields..).zip(&turning.words[k * width..][..width]) {
                 self.set(slot, point, *word);
             }
@@ -135,7 +136,8 @@ impl Run<'_> {
     /// Forgets what was evaluated in the last turn.
     fn renew(&mut self, of: &Loop) {
         for &region in &of.renewed {
-            self.memory.done[region * self.blocks..][..self.blocks].fill(0);
+            let first = self.mask(region, 0);
+            self.memory.done[first..first + self.blocks].fill(0);
         }
         for &table in &of.emptied {
             empty(&mut self.memory.tables[table]);
@@ -143,7 +145,7 @@ impl Run<'_> {
     }
 
     /// A key with the turns of the loops round its site.
-    pub(super) fn key(&self, site: u64, loops: &[usize]) -> u64 {
+    pub(super) fn key(&self, site: u64, loops: &[LoopId]) -> u64 {
         loops
             .iter()
             .fold(site, |key, &at| iteration_key(key, self.memory.iterations[at].wrapping_sub(1)))

@@ -1,8 +1,11 @@
 //! What the executor works in.
 
+use cranelift_entity::SecondaryMap;
+
 use crate::engine::requests::Asking;
 use crate::engine::turns::Turning;
-use crate::schedule::{RegionId, Schedule};
+use crate::schedule::{LoopId, RegionId, Schedule};
+use crate::specialise::LightTableId;
 use crate::storage::{FileShape, LANES, Lanes};
 
 /// What the executor works in; kept between batches.
@@ -14,11 +17,11 @@ pub struct Memory {
     /// Per region and block, the lanes it was run for.
     pub(super) done: Vec<u8>,
     /// Per table and iteration, answers kept.
-    pub(super) tables: Vec<Vec<Table>>,
+    pub(super) tables: SecondaryMap<LightTableId, Vec<Table>>,
     /// Per loop, its iteration.
-    pub(super) iterations: Vec<usize>,
+    pub(super) iterations: SecondaryMap<LoopId, usize>,
     /// Per loop and point, the token of the light sample.
-    pub(super) tokens: Vec<Vec<u64>>,
+    pub(super) tokens: SecondaryMap<LoopId, Vec<u64>>,
     pub(super) stack: Vec<Frame>,
     pub(super) chosen: Vec<usize>,
     pub(super) asking: Asking,
@@ -38,7 +41,7 @@ pub(super) struct Table {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Frame {
     Region { region: RegionId, item: usize },
-    Loop { at: usize, within: RegionId, count: usize },
+    Loop { at: LoopId, within: RegionId, count: usize },
 }
 
 impl Memory {
@@ -60,10 +63,7 @@ impl Memory {
         self.done.clear();
         self.done.resize(masks, 0);
         self.iterations.clear();
-        self.iterations.resize(schedule.loops.len(), 0);
-        self.tokens.resize_with(schedule.loops.len().max(self.tokens.len()), Vec::new);
-        self.tables.resize_with(schedule.tables.len().max(self.tables.len()), Vec::new);
-        self.tables.iter_mut().for_each(|table| empty(table));
+        self.tables.values_mut().for_each(|table| empty(table));
     }
 }
 

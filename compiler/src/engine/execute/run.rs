@@ -1,10 +1,12 @@
 //! The regions of a schedule, over a batch of points.
 
+use cranelift_entity::{EntityRef, PrimaryMap};
+
 use crate::effects::{LightList, Renderer, TextureId};
 use crate::engine::runner::Runner;
 use crate::engine::shade::Shaded;
 use crate::schedule::{Item, RegionId, Schedule};
-use crate::specialise::Context;
+use crate::specialise::{Context, LightListId, TexturePosition};
 use crate::state::{Field, State};
 use crate::storage::{FileShape, LANES, Lanes, Source};
 
@@ -43,10 +45,10 @@ impl Program<'_> {
         let block_bytes = shape.slots.max(1) * size_of::<Lanes>();
         let most = self.batch.div_ceil(LANES).min(MAX_FILE_BYTES / block_bytes).max(1) * LANES;
         let chunk = most.min(self.batch.max(1));
-        let lists: Vec<LightList> =
-            self.schedule.light_lists.iter().map(|names| renderer.light_list(names)).collect();
-        let textures: Vec<TextureId> =
-            self.schedule.textures.iter().map(|texture| renderer.texture(texture)).collect();
+        let lists = self.schedule.light_lists.values();
+        let lists = lists.map(|names| renderer.light_list(names)).collect();
+        let textures = self.schedule.textures.values();
+        let textures = textures.map(|texture| renderer.texture(texture)).collect();
         for (points, results) in points.chunks(chunk).zip(results.chunks_mut(chunk)) {
             let blocks = points.len().div_ceil(LANES);
             memory.fit(self.schedule, self.uniforms, shape, blocks);
@@ -73,8 +75,8 @@ pub(super) struct Run<'a> {
     pub(super) shape: FileShape,
     pub(super) points: &'a [State],
     pub(super) blocks: usize,
-    pub(super) lists: &'a [LightList],
-    pub(super) textures: &'a [TextureId],
+    pub(super) lists: &'a PrimaryMap<LightListId, LightList>,
+    pub(super) textures: &'a PrimaryMap<TexturePosition, TextureId>,
     pub(super) renderer: &'a mut dyn Renderer,
     pub(super) memory: &'a mut Memory,
 }
@@ -100,6 +102,12 @@ impl Run<'_> {
         self.memory.lanes[at].0[point % LANES] = word;
     }
 
+    /// Where the mask of a region stands for the block.
+    #[inline]
+    pub(super) fn mask(&self, region: RegionId, block: usize) -> usize {
+        region.index() * self.blocks + block
+    }
+
     /// Writes the state fields in use, and the mask of all points, block by block.
     fn load(&mut self) {
         for (block, states) in self.points.chunks(LANES).enumerate() {
@@ -108,7 +116,8 @@ impl Run<'_> {
                 let width = field.value_type().width();
                 field.gather(states, &mut self.memory.lanes[at..at + width]);
             }
-            self.memory.todo[block] = (0xff_u32 >> (LANES - states.len())) as u8;
+            let mask = self.mask(RegionId::ROOT, block);
+            self.memory.todo[mask] = (0xff_u32 >> (LANES - states.len())) as u8;
         }
     }
 
@@ -127,7 +136,7 @@ impl Run<'_> {
 
     fn regions(&mut self) {
         self.memory.stack.clear();
-        self.memory.stack.push(Frame::Region { region: 0, item: 0 });
+        self.memory.stack.push(Frame::Region { region: RegionId::ROOT, item: 0 });
         while let Some(frame) = self.memory.stack.pop() {
             match frame {
                 Frame::Region { region, item } => self.region(region, item),
@@ -175,11 +184,11 @@ impl Run<'_> {
     fn force(&mut self, from: RegionId, region: RegionId, guard: Option<Source>) -> bool {
         let mut any = false;
         for block in 0..self.blocks {
-            let mut mask = self.memory.todo[from * self.blocks + block];
+            let mut mask = self.memory.todo[self.mask(from, block)];
             if let Some(guard) = guard {
                 mask &= bits(&self.memory.lanes[self.at(guard, block)]);
             }
-            let at = region * self.blocks + block;
+            let at = self.mask(region, block);
             mask &= !self.memory.done[at];
             self.memory.done[at] |= mask;
             self.memory.todo[at] = mask;
@@ -190,7 +199,7 @@ impl Run<'_> {
 
     /// Lists the points a region is being run for.
     pub(super) fn choose(&mut self, region: RegionId) {
-        let masks = &self.memory.todo[region * self.blocks..][..self.blocks];
+        let masks = &self.memory.todo[self.mask(region, 0)..][..self.blocks];
         self.memory.chosen.clear();
         for (block, &mask) in masks.iter().enumerate() {
             let mut rest = mask;

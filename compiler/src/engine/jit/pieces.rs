@@ -3,8 +3,10 @@
 use std::collections::HashMap;
 use std::fmt;
 
+use cranelift_entity::PrimaryMap;
+
 use crate::ops::{Op, OpId, OpSegment, Tape, dead, fold, legalise, split};
-use crate::schedule::{Item, Loop, Request, Schedule, Segment, Step};
+use crate::schedule::{Item, Loop, Request, Schedule, Segment, SegmentId, Step};
 use crate::storage::Source;
 
 /// Bodies of more operations run as kernels: eight lanes beat four there. A kernel has a price for
@@ -21,7 +23,7 @@ const SMALL_BATCH: usize = 16;
 #[derive(Debug, Default)]
 pub struct Pieces {
     /// Per segment, what to run in order.
-    pub segments: Vec<Vec<Piece>>,
+    pub segments: PrimaryMap<SegmentId, Vec<Piece>>,
     /// The operations of what is fused.
     pub functions: Vec<OpSegment>,
     /// Slots the functions need besides those of the schedule.
@@ -48,12 +50,12 @@ impl Pieces {
     /// Cuts `schedule`, to be run over at most `batch` points at once.
     pub fn of(schedule: &Schedule, batch: usize) -> Self {
         let heavy = if batch < SMALL_BATCH { HEAVY_OPS_OF_FEW } else { HEAVY_OPS };
-        let segments = schedule.segments.iter();
+        let segments = schedule.segments.values();
         let stretches: Vec<_> = segments.map(|segment| stretches(segment, heavy)).collect();
         let readers = Readers::new(schedule, &stretches);
         let mut pieces = Self::default();
         let mut number = 0;
-        for (segment, stretches) in schedule.segments.iter().zip(&stretches) {
+        for (segment, stretches) in schedule.segments.values().zip(&stretches) {
             let mut in_order = Vec::new();
             for stretch in stretches {
                 match *stretch {
@@ -80,8 +82,8 @@ impl Pieces {
 
 impl fmt::Display for Pieces {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (at, segment) in self.segments.iter().enumerate() {
-            writeln!(f, "segment {at}:")?;
+        for (at, segment) in &self.segments {
+            writeln!(f, "segment {}:", at.as_u32())?;
             for piece in segment {
                 match *piece {
                     Piece::Kernel(step) => writeln!(f, "kernel of step {step}")?,
@@ -162,7 +164,7 @@ impl Readers {
     fn new(schedule: &Schedule, stretches: &[Vec<Stretch>]) -> Self {
         let mut readers = Self(vec![Reader::Nobody; schedule.slots as usize]);
         let mut number = 0;
-        for (segment, stretches) in schedule.segments.iter().zip(stretches) {
+        for (segment, stretches) in schedule.segments.values().zip(stretches) {
             for stretch in stretches {
                 let steps = match *stretch {
                     Stretch::Light { from, to } => from..to,
@@ -174,15 +176,15 @@ impl Readers {
                 number += 1;
             }
         }
-        for region in &schedule.regions {
+        for region in schedule.regions.values() {
             for item in &region.items {
                 if let Item::Force { guard: Some(guard), .. } = item {
                     readers.note(&[*guard], Reader::Several);
                 }
             }
         }
-        let requests = schedule.requests.iter().flat_map(Request::reads);
-        let loops = schedule.loops.iter().flat_map(Loop::reads);
+        let requests = schedule.requests.values().flat_map(Request::reads);
+        let loops = schedule.loops.values().flat_map(Loop::reads);
         requests.chain(loops).for_each(|word| readers.note(&[word], Reader::Several));
         let root: Vec<Source> = (schedule.root..schedule.root + 5).map(Source::Slot).collect();
         readers.note(&root, Reader::Several);

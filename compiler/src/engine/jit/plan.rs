@@ -1,7 +1,9 @@
 //! The jit's plan: the pieces of a schedule, with the machine code of those that are fused.
 
+use cranelift_entity::PrimaryMap;
+
 use crate::engine::options::Simd;
-use crate::schedule::Schedule;
+use crate::schedule::{Schedule, SegmentId};
 use crate::storage::{FileShape, Lanes, stride};
 
 use super::pieces::{Piece, Pieces};
@@ -11,7 +13,7 @@ use super::{JitCode, JitError};
 #[derive(Debug)]
 pub struct Plan {
     /// Per segment, what to run in order.
-    segments: Vec<Vec<Piece>>,
+    segments: PrimaryMap<SegmentId, Vec<Piece>>,
     code: JitCode,
     simd: Simd,
     slots: usize,
@@ -45,7 +47,7 @@ impl Plan {
     /// Runs a segment over the blocks; `kernel` runs those of its steps that are kernels.
     pub(in crate::engine) fn run(
         &self,
-        segment: usize,
+        segment: SegmentId,
         lanes: &mut [Lanes],
         blocks: usize,
         kernel: impl Fn(usize, Simd, &mut [Lanes]),

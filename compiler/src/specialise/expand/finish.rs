@@ -1,13 +1,15 @@
 //! Making instances of nodes whose inputs are all there, and opening scopes and loops.
 
+use cranelift_entity::{EntityRef, PrimaryMap};
+
 use crate::effects::{Asked, Effect};
 use crate::kernels::BodyForms;
 use crate::nodes::Kind;
 use crate::specialise::keys::{mix_key, path_key};
 use crate::specialise::views::{Resolved, inconsistent};
 use crate::specialise::{
-    Context, Demand, EpochId, EpochKind, InstanceKind, LightTable, SpecialiseError, Subject, Turns,
-    Uniforms,
+    Context, Demand, EpochId, EpochKind, InstanceKind, LightListId, LightTable, SpecialiseError,
+    Subject, TexturePosition, Turns, Uniforms,
 };
 use crate::state::{Field, FieldSet, Iterated, Reduction};
 use crate::values::Literal;
@@ -93,30 +95,21 @@ impl Builder<'_> {
     }
 
     /// The texture a view reads; none where none is given.
-    fn texture(&mut self, view: usize) -> Option<usize> {
+    fn texture(&mut self, view: usize) -> Option<TexturePosition> {
         let texture = self.given(view).find_map(|literal| match literal {
             Literal::Texture(texture) => texture,
             _ => None,
         })?;
-        let known = self.result.textures.iter().position(|of| *of == texture);
-        Some(known.unwrap_or_else(|| {
-            self.result.textures.push(texture);
-            self.result.textures.len() - 1
-        }))
+        Some(found_or_pushed(&mut self.result.textures, texture))
     }
 
-    fn light_list(&mut self, view: usize) -> usize {
+    fn light_list(&mut self, view: usize) -> LightListId {
         let names = self.given(view).find_map(|literal| match literal {
             Literal::Lights(names) => Some(names),
             Literal::Light(name) => Some(vec![name]),
             _ => None,
         });
-        let names = names.unwrap_or_default();
-        let known = self.result.light_lists.iter().position(|list| *list == names);
-        known.unwrap_or_else(|| {
-            self.result.light_lists.push(names);
-            self.result.light_lists.len() - 1
-        })
+        found_or_pushed(&mut self.result.light_lists, names.unwrap_or_default())
     }
 
     /// Makes the node of a frame whose inputs are all there.
@@ -203,17 +196,13 @@ impl Builder<'_> {
     }
 
     /// The light sample asked about in `epoch`, and the table in which its colours are kept.
-    fn light(&mut self, effect: Effect, epoch: EpochId) -> Option<Subject> {
+    fn light(&mut self, effect: Effect, epoch: EpochId) -> Option<Subject<EpochId>> {
         let (of, list) = self.result.epochs.innermost_lights(epoch)?;
         // From the request outwards: a scope inside the loop that moves the point has its own table.
         let reads = effect.reads().iter().copied();
         let reads: FieldSet = reads.filter(|field| field.of_loop().is_none()).collect();
         let table = LightTable { list, epoch: self.result.epochs.effective(epoch, reads) };
-        let known = self.result.tables.iter().position(|of| *of == table);
-        let table = known.unwrap_or_else(|| {
-            self.result.tables.push(table);
-            self.result.tables.len() - 1
-        });
+        let table = found_or_pushed(&mut self.result.tables, table);
         Some(Subject::Light { of, table })
     }
 
@@ -271,4 +260,10 @@ impl Builder<'_> {
         let id = self.add(name, kind, epoch, demands, Vec::new(), outputs)?;
         Ok(self.of_instance(id))
     }
+}
+
+/// Where `value` stands, put at the end if it stands nowhere.
+fn found_or_pushed<K: EntityRef, V: PartialEq>(all: &mut PrimaryMap<K, V>, value: V) -> K {
+    let known = all.iter().find_map(|(at, of)| (*of == value).then_some(at));
+    known.unwrap_or_else(|| all.push(value))
 }

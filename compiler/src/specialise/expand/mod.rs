@@ -6,6 +6,8 @@ mod values;
 
 use std::collections::HashMap;
 
+use cranelift_entity::PrimaryMap;
+
 use crate::graph::{Graph, Root};
 use crate::nodes::NodeLibrary;
 use crate::state::{FieldSet, RayType};
@@ -43,15 +45,15 @@ pub fn expand(
         built: HashMap::new(),
         conversions: HashMap::new(),
         result: Specialised {
-            instances: Vec::new(),
+            instances: PrimaryMap::new(),
             epochs: Epochs::new(),
             uniforms: Uniforms::default(),
             fields: Vec::new(),
             reads_ray_type: false,
             slots: 0,
-            light_lists: Vec::new(),
-            tables: Vec::new(),
-            textures: Vec::new(),
+            light_lists: PrimaryMap::new(),
+            tables: PrimaryMap::new(),
+            textures: PrimaryMap::new(),
         },
     };
     builder.run()?;
@@ -101,7 +103,7 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     fn run(&mut self) -> Result<(), SpecialiseError> {
-        let mut stack = vec![Frame::new((self.views.root(), 0))];
+        let mut stack = vec![Frame::new((self.views.root(), EpochId::POINT))];
         while let Some(frame) = stack.last_mut() {
             if self.built.contains_key(&frame.key) {
                 stack.pop();
@@ -206,8 +208,8 @@ impl Builder<'_> {
         }
         let name = format!("{}{name}", self.result.epochs.path(epoch));
         let output = self.slots(outputs);
-        self.result.instances.push(Instance { name, kind, epoch, demands, words, output, outputs });
-        Ok(self.result.instances.len() - 1)
+        let instance = Instance { name, kind, epoch, demands, words, output, outputs };
+        Ok(self.result.instances.push(instance))
     }
 }
 

@@ -182,17 +182,16 @@ impl Builder<'_> {
 
     /// The epoch of a slot no instance writes: a loop's field, or the point's.
     fn epoch_of_slot(&self, word: Source) -> EpochId {
-        let Source::Slot(slot) = word else { return 0 };
-        let epochs = self.result.epochs.0.iter();
+        let Source::Slot(slot) = word else { return EpochId::POINT };
+        let mut epochs = self.result.epochs.0.iter();
         epochs
-            .enumerate()
             .find(|(_, epoch)| match epoch.kind {
                 EpochKind::Loop { iterated, fields, .. } => {
                     (fields..fields + iterated.words() as u32).contains(&slot)
                 }
                 EpochKind::Point | EpochKind::Scope { .. } => false,
             })
-            .map_or(0, |(id, _)| id)
+            .map_or(EpochId::POINT, |(id, _)| id)
     }
 
     pub(super) fn of_instance(&self, id: InstanceId) -> Built {
