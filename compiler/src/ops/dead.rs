@@ -26,7 +26,7 @@ pub fn remove(segment: &OpSegment) -> OpSegment {
         });
     }
     let stores = segment.stores.iter().map(|&(slot, id)| (slot, new_id[id as usize])).collect();
-    OpSegment { ops, sources, stores }
+    OpSegment { ops, sources, stores, wanted: segment.wanted.clone() }
 }
 
 fn live(segment: &OpSegment) -> Vec<bool> {

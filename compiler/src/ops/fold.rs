@@ -23,7 +23,8 @@ pub fn fold(segment: &OpSegment) -> OpSegment {
         new_id.push(id);
     }
     let stores = segment.stores.iter().map(|&(slot, id)| (slot, new_id[id as usize])).collect();
-    OpSegment { ops: tape.into_ops(), sources: segment.sources.clone(), stores }
+    let (sources, wanted) = (segment.sources.clone(), segment.wanted.clone());
+    OpSegment { ops: tape.into_ops(), sources, stores, wanted }
 }
 
 /// What an operation is the same as.

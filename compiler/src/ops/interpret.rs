@@ -76,7 +76,7 @@ pub fn evaluate(op: Op, load: impl Fn(u32) -> u32, value: impl Fn(OpId) -> u32) 
     }
 }
 
-/// Runs a segment over `blocks` blocks of a file.
+/// Runs a segment over `blocks` blocks of a file, those aside in which no lane wants it.
 ///
 /// # Panics
 /// If the file is smaller than `uniforms + blocks * slots`, or the segment reaches outside.
@@ -84,12 +84,17 @@ pub fn run(segment: &OpSegment, uniforms: usize, slots: usize, lanes: &mut [Lane
     let mut values = vec![0; segment.ops.len()];
     for block in 0..blocks {
         let first = uniforms + block * slots;
+        let at = |source| match source {
+            Source::Uniform(at) | Source::Constant { at, .. } => at as usize,
+            Source::Slot(slot) => first + slot as usize,
+        };
+        let wants = |lane: usize| segment.wanted.iter().all(|&mask| lanes[at(mask)].0[lane] != 0);
+        if !(0..LANES).any(wants) {
+            continue;
+        }
         for lane in 0..LANES {
             for (id, &op) in segment.ops.iter().enumerate() {
-                let load = |n: u32| match segment.sources[n as usize] {
-                    Source::Uniform(at) | Source::Constant { at, .. } => lanes[at as usize].0[lane],
-                    Source::Slot(slot) => lanes[first + slot as usize].0[lane],
-                };
+                let load = |n: u32| lanes[at(segment.sources[n as usize])].0[lane];
                 values[id] = evaluate(op, load, |id| values[id as usize]);
             }
             for &(slot, id) in &segment.stores {

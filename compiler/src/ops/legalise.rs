@@ -10,7 +10,8 @@ pub fn legalise(segment: &OpSegment) -> OpSegment {
     let tape = Tape::standard();
     let ids = replay(&segment.ops, &tape, |source| tape.push(Op::Load(source)));
     let stores = segment.stores.iter().map(|&(slot, id)| (slot, ids[id as usize])).collect();
-    OpSegment { ops: tape.into_ops(), sources: segment.sources.clone(), stores }
+    let (sources, wanted) = (segment.sources.clone(), segment.wanted.clone());
+    OpSegment { ops: tape.into_ops(), sources, stores, wanted }
 }
 
 /// Records operations again, on another tape, where `load` gives what [`Op::Load`] stands for; for each

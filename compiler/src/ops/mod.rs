@@ -2,7 +2,7 @@
 //!
 //! Declared in one table (`table.rs`), recorded on a [`Tape`], collected in a [`OpSegment`], then [`legalise`],
 //! [`fold`], [`dead`] and [`split`]. [`apply`] evaluates them over any back end, [`interpret`] says what they
-//! mean, `Display` prints a segment.
+//! mean, `Display` prints a segment, [`verify`] says what holds of one after each pass.
 
 #[macro_use]
 mod table;
@@ -16,6 +16,7 @@ mod op;
 mod print;
 pub mod split;
 mod tape;
+pub mod verify;
 
 pub use op::{Class, Number, Op, OpId, OpSegment};
 pub use tape::{Tape, TapeInputs, TapeInt, TapeMask, TapeReal};

@@ -208,4 +208,8 @@ pub struct OpSegment {
     pub sources: Vec<Source>,
     /// The slots written, and with what. All loads happen before the first store.
     pub stores: Vec<(u32, OpId)>,
+    /// Masks, read before all else: a lane wants the segment where all of them hold; without any, all do.
+    /// A block in which no lane does is left as it is; in others, what lanes get that do not want it is
+    /// open, for nobody may show it.
+    pub wanted: Vec<Source>,
 }

@@ -7,14 +7,14 @@ use crate::storage::Source;
 
 impl Display for OpSegment {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for source in &self.wanted {
+            writeln!(f, "where {}", Place(*source))?;
+        }
         for (id, &op) in self.ops.iter().enumerate() {
             write!(f, "%{id} = ")?;
             match op {
                 Op::Load(n) => match self.sources.get(n as usize) {
-                    Some(Source::Uniform(at) | Source::Constant { at, .. }) => {
-                        writeln!(f, "load uniform {at}")?;
-                    }
-                    Some(Source::Slot(slot)) => writeln!(f, "load slot {slot}")?,
+                    Some(&source) => writeln!(f, "load {}", Place(source))?,
                     None => writeln!(f, "load missing source {n}")?,
                 },
                 op => writeln!(f, "{op}")?,
@@ -24,6 +24,18 @@ impl Display for OpSegment {
             writeln!(f, "store slot {slot}, %{id}")?;
         }
         Ok(())
+    }
+}
+
+/// Where a word lies.
+struct Place(Source);
+
+impl Display for Place {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Source::Uniform(at) | Source::Constant { at, .. } => write!(f, "uniform {at}"),
+            Source::Slot(slot) => write!(f, "slot {slot}"),
+        }
     }
 }
 

@@ -162,6 +162,8 @@ impl<'a> Splitter<'a> {
         let start = if part == 0 { 0 } else { self.ends[part - 1] };
         let end = self.ends[part];
         let mut writer = Writer::default();
+        // Blocks are wanted by all parts or by none.
+        writer.segment.wanted.clone_from(&self.segment.wanted);
         for id in start..end {
             // Fetches are repeated where they are used.
             let op = self.segment.ops[id];

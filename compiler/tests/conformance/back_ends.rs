@@ -82,7 +82,7 @@ fn compiled(case: &Case, inputs: &Rows, prepare: impl Fn(OpSegment) -> Vec<OpSeg
     let (ops, results) = reference::tape(case);
     let first = inputs.width as u32;
     let stores = (first..).zip(results).collect();
-    let segment = OpSegment { ops, sources: sources.clone(), stores };
+    let segment = OpSegment { ops, sources: sources.clone(), stores, wanted: vec![] };
     let parts = prepare(legalise::legalise(&segment));
     let slots = inputs.width + case.outputs.len() + SCRATCH;
     let code = JitCode::compile(&parts, FileShape { uniforms: UNIFORMS, slots }).expect("compiles");

@@ -78,9 +78,9 @@ fn recording_and_then_legalising_records_what_expanding_at_once_does() {
     for case in cases() {
         let (ops, stores) = reference::tape(&case);
         let stores = (0..).zip(stores).collect();
-        let segment = OpSegment { ops, sources: vec![], stores };
+        let segment = OpSegment { ops, stores, ..OpSegment::default() };
         let (ops, stores) = reference::tape_of(&case, Tape::standard());
-        let at_once = OpSegment { ops, sources: vec![], stores: (0..).zip(stores).collect() };
+        let at_once = OpSegment { ops, stores: (0..).zip(stores).collect(), ..OpSegment::default() };
         assert_eq!(legalise::legalise(&segment), at_once, "{}", case.name);
     }
 }

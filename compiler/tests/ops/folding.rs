@@ -19,7 +19,7 @@ fn folded(ops: &[Op]) -> String {
     list.extend(ops);
     let stores = vec![(9, list.len() as u32 - 1)];
     let sources = vec![Source::Slot(0), Source::Slot(1), Source::Slot(2)];
-    let segment = OpSegment { ops: list, sources, stores };
+    let segment = OpSegment { ops: list, sources, stores, wanted: vec![] };
     let segment = dead::remove(&fold::fold(&segment));
     let name = |id: u32| match segment.ops[id as usize] {
         Op::Load(n) => match segment.sources[n as usize] {

@@ -8,7 +8,7 @@ fn recorded(code: &BodyForms, inputs: u32, tape: Tape) -> OpSegment {
     let loads: Vec<u32> = (0..inputs).map(|n| tape.push(Op::Load(n))).collect();
     let mut outputs = vec![0; code.outputs];
     code.record_anew(&tape, &loads, &mut outputs);
-    OpSegment { ops: tape.into_ops(), sources: vec![], stores: (0..).zip(outputs).collect() }
+    OpSegment { ops: tape.into_ops(), stores: (0..).zip(outputs).collect(), ..OpSegment::default() }
 }
 
 fn replayed(code: &BodyForms, inputs: u32) -> OpSegment {
@@ -16,7 +16,7 @@ fn replayed(code: &BodyForms, inputs: u32) -> OpSegment {
     let loads: Vec<u32> = (0..inputs).map(|n| tape.push(Op::Load(n))).collect();
     let mut outputs = vec![0; code.outputs];
     code.record(&tape, &loads, &mut outputs);
-    OpSegment { ops: tape.into_ops(), sources: vec![], stores: (0..).zip(outputs).collect() }
+    OpSegment { ops: tape.into_ops(), stores: (0..).zip(outputs).collect(), ..OpSegment::default() }
 }
 
 #[test]
@@ -55,7 +55,7 @@ fn constants_are_rounded_and_lose_their_type() {
     ];
     assert_eq!(ids, [0, 1, 2, 3, 4, 5], "on the tape they differ");
     let stores = (0..).zip(ids).collect();
-    let segment = OpSegment { ops: tape.into_ops(), sources: vec![], stores };
+    let segment = OpSegment { ops: tape.into_ops(), stores, ..OpSegment::default() };
     let text = legalise::legalise(&segment).to_string();
     let expected = "\
 %0 = constant 0x1.99999ap-4 (0.1)

@@ -12,7 +12,7 @@ use crate::samples::{File, Kind, Random, yields};
 
 /// Whether there is code on this machine; a machine without has nothing to test here, and must
 /// say why.
-fn available() -> bool {
+pub fn available() -> bool {
     match JitCode::available() {
         Ok(()) => true,
         Err(JitError::UnsupportedTarget | JitError::MissingFeature(_)) => false,
@@ -20,7 +20,8 @@ fn available() -> bool {
     }
 }
 
-fn run(segments: &[OpSegment], file: &mut File) {
+/// Runs segments as machine code.
+pub fn run(segments: &[OpSegment], file: &mut File) {
     let code = JitCode::compile(segments, FileShape { uniforms: file.uniforms, slots: file.slots })
         .expect("compiles");
     for index in 0..segments.len() {
@@ -48,6 +49,7 @@ fn exhaust(op: Op, kinds: &[Kind]) {
         ops,
         sources: (0..arity as u32).map(Source::Slot).collect(),
         stores: vec![(arity as u32, arity as u32)],
+        wanted: vec![],
     };
     let kind = yields(op, |id| kinds[id as usize]);
     let mut expected = file.clone();
@@ -123,6 +125,7 @@ fn select_keeps_the_payload_of_a_nan() {
             ],
             sources: vec![Source::Slot(0), Source::Uniform(0)],
             stores: vec![(1, 4), (2, 5)],
+            wanted: vec![],
         };
         let mut file = File::new(1, 3, 1);
         file.lanes[0] = Lanes([u32::MAX; LANES]);
@@ -194,6 +197,7 @@ fn a_slot_read_and_written_is_read_first() {
         ops: vec![Op::Load(0), Op::Load(1)],
         sources: vec![Source::Slot(0), Source::Slot(1)],
         stores: vec![(1, 0), (0, 1)],
+        wanted: vec![],
     };
     for blocks in [1, 2, 5] {
         let mut file = File::new(0, 2, blocks);
@@ -212,7 +216,12 @@ fn a_slot_read_and_written_is_read_first() {
 }
 
 fn one_store() -> OpSegment {
-    OpSegment { ops: vec![Op::Load(0)], sources: vec![Source::Uniform(0)], stores: vec![(0, 0)] }
+    OpSegment {
+        ops: vec![Op::Load(0)],
+        sources: vec![Source::Uniform(0)],
+        stores: vec![(0, 0)],
+        wanted: vec![],
+    }
 }
 
 #[test]
@@ -230,6 +239,8 @@ fn malformed_segments_are_refused() {
     assert!(refused(OpSegment { sources: vec![Source::Uniform(1)], ..one_store() }, 1, 1));
     assert!(refused(OpSegment { sources: vec![Source::Slot(1)], ..one_store() }, 1, 1));
     assert!(refused(OpSegment { sources: vec![], ..one_store() }, 1, 1));
+    assert!(refused(OpSegment { wanted: vec![Source::Uniform(1)], ..one_store() }, 1, 1));
+    assert!(refused(OpSegment { wanted: vec![Source::Slot(1)], ..one_store() }, 1, 1));
     assert!(refused(OpSegment { stores: vec![(1, 0)], ..one_store() }, 1, 1));
     assert!(refused(OpSegment { stores: vec![(0, 1)], ..one_store() }, 1, 1));
     assert!(refused(OpSegment { ops: vec![Op::Neg(0)], ..one_store() }, 1, 1));

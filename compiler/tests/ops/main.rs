@@ -7,3 +7,5 @@ mod printing;
 mod random;
 mod samples;
 mod splitting;
+mod verifying;
+mod wanted;

@@ -21,12 +21,15 @@ fn segment() -> OpSegment {
         ],
         sources: vec![Source::Slot(9), Source::Uniform(4), Source::Slot(2)],
         stores: vec![(3, 9), (4, 6), (5, 8), (6, 11)],
+        wanted: vec![Source::Slot(12), Source::Uniform(1)],
     }
 }
 
 #[test]
 fn a_segment_prints_as_text() {
     let expected = "\
+where slot 12
+where uniform 1
 %0 = load uniform 4
 %1 = load slot 2
 %2 = constant 0x1.8p0 (1.5)
@@ -52,6 +55,8 @@ fn dead_operations_and_sources_go() {
     let mut segment = segment();
     segment.stores = vec![(3, 5)];
     let expected = "\
+where slot 12
+where uniform 1
 %0 = load uniform 4
 %1 = load slot 2
 %2 = constant 0x1.8p0 (1.5)

@@ -43,7 +43,8 @@ impl Case {
             stores.push((slots.len() as u32, id as OpId));
             slots.push(ops.kinds[id]);
         }
-        Self { segment: OpSegment { ops: ops.list, sources, stores }, uniforms, slots, inputs }
+        let segment = OpSegment { ops: ops.list, sources, stores, wanted: vec![] };
+        Self { segment, uniforms, slots, inputs }
     }
 
     /// A file for it with random words, and room for `scratch` slots more.

@@ -52,7 +52,7 @@ fn scratch_slots_are_used_again() {
         ops.push(if id == 1 { Op::Mul(0, 1) } else { Op::Mul(id, 1) });
     }
     let last = ops.len() as u32 - 1;
-    let segment = OpSegment { ops, sources: vec![Source::Slot(0)], stores: vec![(1, last)] };
+    let segment = OpSegment { ops, sources: vec![Source::Slot(0)], stores: vec![(1, last)], wanted: vec![] };
     let cut = split::split(&segment, 20, 2);
     assert!(cut.parts.len() >= 20);
     assert_eq!(cut.scratch, 2);
@@ -65,6 +65,7 @@ fn a_slot_read_later_is_not_overwritten_before() {
         ops: vec![Op::Load(0), Op::Neg(0), Op::Load(1), Op::Neg(2), Op::Neg(3), Op::Neg(4)],
         sources: vec![Source::Slot(0), Source::Slot(1)],
         stores: vec![(1, 1), (0, 5)],
+        wanted: vec![],
     };
     let cut = split::split(&segment, 1, 2);
     assert!(cut.parts.len() > 2);

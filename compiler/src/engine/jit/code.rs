@@ -23,8 +23,8 @@ use cranelift_module::{FuncId, Linkage, Module};
 
 use super::JitError;
 use super::lower::lower;
-use crate::ops::{OpId, OpSegment};
-use crate::storage::{FileShape, Lanes, Source};
+use crate::ops::{OpSegment, verify};
+use crate::storage::{FileShape, Lanes};
 
 /// Functions of more operations are register-allocated in a single pass.
 pub const SINGLE_PASS_ABOVE: usize = 2000;
@@ -90,7 +90,7 @@ impl JitCode {
             return Err(JitError::TooLarge { words });
         }
         for (index, segment) in segments.iter().enumerate() {
-            well_formed(segment, shape)
+            verify::inside(segment, shape)
                 .map_err(|what| JitError::Malformed { segment: index, what })?;
         }
         let mut compiler = Compiler::new()?;
@@ -133,7 +133,7 @@ impl JitCode {
             return;
         }
         // SAFETY: the code reads uniforms below `uniforms` and accesses slots below `slots` of blocks below
-        // `blocks` (`well_formed`), all within `lanes` by the assertion; `Lanes` is aligned to 32
+        // `blocks` ([`verify::inside`]), all within `lanes` by the assertion; `Lanes` is aligned to 32
         // bytes, all bit patterns are valid, and it calls nothing that could unwind or keep the
         // pointer.
         unsafe { entry(lanes.as_mut_ptr().cast(), blocks as i64) };
@@ -241,33 +241,4 @@ pub(super) fn target(allocator: &str) -> Result<Arc<dyn TargetIsa>, JitError> {
     }
     let host = cranelift_native::builder().map_err(failed)?;
     host.finish(settings::Flags::new(flags)).map_err(failed)
-}
-
-/// Whether all that the segment names exists; the safety of running it rests on this.
-fn well_formed(segment: &OpSegment, shape: FileShape) -> Result<(), &'static str> {
-    let ops = &segment.ops;
-    for source in &segment.sources {
-        let inside = match *source {
-            Source::Uniform(at) | Source::Constant { at, .. } => (at as usize) < shape.uniforms,
-            Source::Slot(slot) => (slot as usize) < shape.slots,
-        };
-        if !inside {
-            return Err("a source lies outside the file");
-        }
-    }
-    for (id, op) in ops.iter().enumerate() {
-        let mut ordered = true;
-        op.for_each_operand(|operand| ordered &= (operand as usize) < id);
-        if !ordered {
-            return Err("an operand does not come before its user");
-        }
-        if let crate::ops::Op::Load(source) = *op
-            && source as usize >= segment.sources.len()
-        {
-            return Err("a load names no source");
-        }
-    }
-    let stored =
-        |&(slot, id): &(u32, OpId)| (slot as usize) < shape.slots && (id as usize) < ops.len();
-    if segment.stores.iter().all(stored) { Ok(()) } else { Err("a store lies outside the file") }
 }

@@ -124,7 +124,33 @@ struct Lowering<'a, 'b> {
 }
 
 impl Lowering<'_, '_> {
+    /// The turn of a half-block: all of it, or nothing where no lane wants it.
     fn run(mut self) -> Result<(), &'static str> {
+        let Some(wanted) = self.wanted() else { return self.work() };
+        let [work, on] = [(); 2].map(|()| self.builder.create_block());
+        let any = self.builder.ins().vany_true(wanted);
+        self.builder.ins().brif(any, work, &[], on, &[]);
+        self.builder.switch_to_block(work);
+        self.work()?;
+        self.builder.ins().jump(on, &[]);
+        self.builder.switch_to_block(on);
+        Ok(())
+    }
+
+    /// The lanes that want the segment; none if all do.
+    fn wanted(&mut self) -> Option<Value> {
+        let mut wanted = None;
+        for &mask in &self.segment.wanted {
+            let mask = self.row(I32X4, mask);
+            wanted = Some(match wanted {
+                Some(all) => self.builder.ins().band(all, mask),
+                None => mask,
+            });
+        }
+        wanted
+    }
+
+    fn work(&mut self) -> Result<(), &'static str> {
         self.words.reserve(self.segment.ops.len());
         for &op in &self.segment.ops {
             let word = self.op(op)?;
@@ -301,7 +327,11 @@ impl Lowering<'_, '_> {
     }
 
     fn load(&mut self, source: u32) -> Word {
-        let source = self.segment.sources[source as usize];
+        Word::of_real(self.row(F32X4, self.segment.sources[source as usize]))
+    }
+
+    /// The words of the half-block that lie there.
+    fn row(&mut self, form: Type, source: Source) -> Value {
         let (base, word) = match source {
             Source::Uniform(at) | Source::Constant { at, .. } => (self.file, at),
             Source::Slot(slot) => (self.at, slot),
@@ -312,7 +342,7 @@ impl Lowering<'_, '_> {
             flags = flags.with_readonly().with_can_move();
         }
         let offset = (word as usize * WORD) as i32;
-        Word::of_real(self.builder.ins().load(F32X4, flags, base, offset))
+        self.builder.ins().load(form, flags, base, offset)
     }
 
     /// The word as numbers.
@@ -363,7 +393,7 @@ mod tests {
         list.extend(ops);
         let stores = vec![(3, list.len() as u32 - 1)];
         let sources = vec![Source::Slot(0), Source::Slot(1), Source::Slot(2)];
-        let segment = OpSegment { ops: list, sources, stores };
+        let segment = OpSegment { ops: list, sources, stores, wanted: vec![] };
         let isa = target("backtracking").expect("the host is x86-64");
         let mut context = Context::new();
         let shape = FileShape { uniforms: 0, slots: 4 };

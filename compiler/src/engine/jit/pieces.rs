@@ -5,7 +5,7 @@ use std::fmt;
 
 use cranelift_entity::PrimaryMap;
 
-use crate::ops::{Op, OpId, OpSegment, Tape, dead, fold, legalise, split};
+use crate::ops::{Op, OpId, OpSegment, Tape, dead, fold, legalise, split, verify};
 use crate::schedule::{Item, Loop, Request, Schedule, Segment, SegmentId, Step};
 use crate::storage::Source;
 
@@ -61,9 +61,11 @@ impl Pieces {
                 match *stretch {
                     Stretch::Heavy(step) => in_order.push(Piece::Kernel(step)),
                     Stretch::Light { from, to } => {
-                        let ops = record(&segment.steps[from..to], number, &readers);
-                        let ops = dead::remove(&fold::fold(&legalise::legalise(&ops)));
+                        let ops = prepared(&segment.steps[from..to], number, &readers);
                         let split = split::split(&ops, split::COMFORTABLE, schedule.slots);
+                        verify::after("split", || {
+                            verify::parts(&ops, &split.parts, schedule.slots)
+                        });
                         // Scratch lives within one stretch, so all stretches share it.
                         pieces.scratch = pieces.scratch.max(split.scratch);
                         for part in split.parts {
@@ -117,6 +119,19 @@ fn stretches(segment: &Segment, heavy: usize) -> Vec<Stretch> {
     stretches
 }
 
+/// The operations of steps, as few and as plain as they get.
+fn prepared(steps: &[Step], number: usize, readers: &Readers) -> OpSegment {
+    let ops = record(steps, number, readers);
+    verify::after("record", || verify::whole(&ops));
+    let ops = legalise::legalise(&ops);
+    verify::after("legalise", || verify::legal(&ops));
+    let ops = fold::fold(&ops);
+    verify::after("fold", || verify::legal(&ops));
+    let ops = dead::remove(&ops);
+    verify::after("dead", || verify::legal(&ops));
+    ops
+}
+
 /// Records steps as one segment of operations that stores what others read.
 fn record(steps: &[Step], number: usize, readers: &Readers) -> OpSegment {
     let tape = Tape::new();
@@ -146,7 +161,7 @@ fn record(steps: &[Step], number: usize, readers: &Readers) -> OpSegment {
             }
         }
     }
-    OpSegment { ops: tape.into_ops(), sources, stores }
+    OpSegment { ops: tape.into_ops(), sources, stores, wanted: Vec::new() }
 }
 
 /// Per slot, who reads it.
