@@ -136,12 +136,11 @@ pub fn not_shown(error: &ShowNodeError) -> Failure {
 /// It is too large for the engine, or the engine does not run here.
 pub fn compile(
     graph: Graph,
-    library: &Arc<NodeLibrary>,
     values: &[(String, Literal)],
     options: Options,
 ) -> Result<Shader, Failure> {
     let name = graph.name.clone();
-    let shader = Shader::new(Arc::new(graph), Arc::clone(library), values, options);
+    let shader = Shader::new(Arc::new(graph), values, options);
     shader.map_err(|error| not_compiled(&name, &error))
 }
 

@@ -41,14 +41,14 @@
 //!     "roots": { "material": { "node": "shade" } }
 //! }"#;
 //!
-//! let library = Arc::new(NodeLibrary::standard());
+//! let library = NodeLibrary::standard();
 //! let document = document::read("tinted_mirror.json", text).expect("it is JSON");
 //! let checked = check_graph(&document, &library);
 //! for finding in &checked.findings {
 //!     println!("{}: {}", finding.severity, finding.message);
 //! }
 //! let graph = Arc::new(checked.graph.expect("it has no errors"));
-//! let shader = Shader::new(graph, library, &[], Options::default())?;
+//! let shader = Shader::new(graph, &[], Options::default())?;
 //!
 //! // Two points, seen from above: the mirror looks straight up.
 //! let points = [State::default(); 2];

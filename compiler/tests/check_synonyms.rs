@@ -17,7 +17,7 @@ fn folded(name: &str) -> String {
 fn every_node_has_a_row_and_every_row_a_node() {
     let library = NodeLibrary::standard();
     let ours: HashSet<&str> =
-        library.iter().map(|(_, definition)| definition.signature.name).collect();
+        library.iter().map(|(_, definition)| &*definition.signature.name).collect();
     let rows: HashSet<&str> = NODES.called.iter().map(|row| row.ours).collect();
     assert_eq!(rows.len(), NODES.called.len(), "a node has two rows");
     assert_eq!(rows, ours);
@@ -43,8 +43,8 @@ fn every_node_has_a_row_and_every_row_a_node() {
     // What the advice names between backticks exists, as a node, an input, an output or a key.
     let mut known: HashSet<&str> = ours.clone();
     for (_, definition) in library.iter() {
-        known.extend(definition.signature.inputs.iter().map(|input| input.name));
-        known.extend(definition.signature.outputs.iter().map(|output| output.name));
+        known.extend(definition.signature.inputs.iter().map(|input| &*input.name));
+        known.extend(definition.signature.outputs.iter().map(|output| &*output.name));
     }
     known.extend(["interface", "roots", "doc", "[r, g, b]", "bg", "fg", "minus", "fmod"]);
     known.extend(["greater", "greater_equal", "not_equal"]);
@@ -77,9 +77,9 @@ fn inputs_and_outputs_exist() {
     let library = NodeLibrary::standard();
     let signatures = || library.iter().map(|(_, definition)| &definition.signature);
     let inputs: HashSet<&str> =
-        signatures().flat_map(|it| &it.inputs).map(|input| input.name).collect();
+        signatures().flat_map(|it| &it.inputs).map(|input| &*input.name).collect();
     let outputs: HashSet<&str> =
-        signatures().flat_map(|it| &it.outputs).map(|output| output.name).collect();
+        signatures().flat_map(|it| &it.outputs).map(|output| &*output.name).collect();
     for (table, known) in [(&INPUTS, &inputs), (&OUTPUTS, &outputs)] {
         for row in &table.called {
             assert!(known.contains(row.ours), "`{}` exists nowhere", row.ours);

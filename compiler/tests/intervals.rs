@@ -315,7 +315,7 @@ fn nodes_stay_in_their_sets() {
                 let number = |at: usize| *definition.signature.inputs[at].range.start() as i32;
                 let fixed = definition.fixed_words(overload).map(|(at, word)| (word, number(at)));
                 let fixed: Vec<_> = fixed.collect();
-                hold_knowing(definition.signature.name, code, &types, &fixed);
+                hold_knowing(&definition.signature.name, code, &types, &fixed);
             }
         }
     }

@@ -27,7 +27,7 @@ const GRAPH: &str = r#"{
     "roots": { "material": { "node": "shade" } }
 }"#;
 
-fn graph(library: &Arc<NodeLibrary>) -> Arc<Graph> {
+fn graph(library: &NodeLibrary) -> Arc<Graph> {
     let document = document::read("ranged.json", GRAPH.as_bytes()).expect("it is JSON");
     let checked = check_graph(&document, library);
     Arc::new(checked.graph.unwrap_or_else(|| panic!("{:?}", checked.findings)))
@@ -65,13 +65,12 @@ fn kind(error: &ShaderError) -> &'static str {
 
 #[test]
 fn ranges_hold_when_a_shader_is_made_and_when_it_is_set() {
-    let library = Arc::new(NodeLibrary::standard());
+    let library = NodeLibrary::standard();
     let graph = graph(&library);
     for engine in [Engine::Walk, Engine::Batch] {
         let options = Options { engine, ..Options::default() };
-        let compile = |values: &[(String, Literal)]| {
-            Shader::new(Arc::clone(&graph), Arc::clone(&library), values, options)
-        };
+        let compile =
+            |values: &[(String, Literal)]| Shader::new(Arc::clone(&graph), values, options);
         let mut shader = compile(&[]).expect("it compiles");
         for (name, value, expected) in refused() {
             let error = compile(&[(name.to_owned(), value.clone())]).expect_err("it is refused");
@@ -97,9 +96,9 @@ fn ranges_hold_when_a_shader_is_made_and_when_it_is_set() {
 /// What is written in the file is known when the graph is compiled; what is set is not.
 #[test]
 fn literals_are_constants_and_parameters_are_not() {
-    let library = Arc::new(NodeLibrary::standard());
+    let library = NodeLibrary::standard();
     let options = Options { engine: Engine::Batch, ..Options::default() };
-    let shader = Shader::new(graph(&library), library, &[], options).expect("it compiles");
+    let shader = Shader::new(graph(&library), &[], options).expect("it compiles");
     let text = shader.print();
     let words = text.split([' ', '\n']);
     let (constants, uniforms): (Vec<&str>, Vec<&str>) =
@@ -111,7 +110,7 @@ fn literals_are_constants_and_parameters_are_not() {
 /// A choice is a word of its input: nodes and parameters of the same name do not hide it.
 #[test]
 fn a_choice_may_have_the_name_of_a_node() {
-    let library = Arc::new(NodeLibrary::standard());
+    let library = NodeLibrary::standard();
     let check = |kind: &str, octaves: &str| {
         let text = format!(
             r#"{{ "phenomenon": "named", "version": 1,

@@ -15,12 +15,12 @@ fn text(interface: &str, nodes: &str, material: &str) -> String {
         r#"{{ "phenomenon": "g", "version": 1, "interface": {{ {interface} }},
               "nodes": {{ {nodes} }}, "roots": {{ "material": {material} }} }}"#
     );
-    let library = Arc::new(NodeLibrary::standard());
+    let library = NodeLibrary::standard();
     let document = document::read("g.json", graph.as_bytes()).expect("it is JSON");
     let checked = check_graph(&document, &library);
     let graph = checked.graph.unwrap_or_else(|| panic!("{:#?}", checked.findings));
     let options = Options { engine: Engine::Batch, ..Options::default() };
-    let shader = Shader::new(Arc::new(graph), library, &[], options).expect("it compiles");
+    let shader = Shader::new(Arc::new(graph), &[], options).expect("it compiles");
     format!("{}\n{}", shader.print(), shader.print_pieces())
 }
 

@@ -41,8 +41,8 @@ pub fn check_anything(bytes: &[u8]) {
             .fold(0_u32, |sum, byte| sum.wrapping_mul(31).wrapping_add(u32::from(*byte)))
             % 8
         {
-            0 => shading::draw(&graph, &LIBRARY),
-            1 | 2 => shading::run(graph, &LIBRARY),
+            0 => shading::draw(&graph),
+            1 | 2 => shading::run(graph),
             _ => {}
         }
     }

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use phenomenon_compiler::effects::{Answer, LightList, LightSample, Ray, Renderer, Trace};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::show::{ShowError, draw_dot, draw_svg};
 use phenomenon_compiler::state::State;
 
@@ -51,22 +50,21 @@ impl Renderer for Nothing {
 }
 
 /// Draws the graph.
-pub fn draw(graph: &Graph, library: &NodeLibrary) {
-    let drawing = draw_svg(graph, library);
+pub fn draw(graph: &Graph) {
+    let drawing = draw_svg(graph);
     assert!(matches!(drawing, Ok(_) | Err(ShowError::TooManyBoxes { .. })), "{drawing:?}");
-    draw_dot(graph, library).expect("a checked graph can be written as DOT");
+    draw_dot(graph).expect("a checked graph can be written as DOT");
 }
 
 /// Runs the graph in two engines, which agree on bits and on what they ask for.
-pub fn run(graph: Graph, library: &NodeLibrary) {
+pub fn run(graph: Graph) {
     if graph.nodes.len() > MOST_NODES {
         return;
     }
     let graph = Arc::new(graph);
-    let library = Arc::new(library.clone());
     let run = |engine| {
         let options = Options { engine, batch: 8, ..Options::default() };
-        let shader = Shader::new(graph.clone(), library.clone(), &[], options).ok()?;
+        let shader = Shader::new(graph.clone(), &[], options).ok()?;
         Some(RootKind::ALL.map(|root| shade(&shader, root)))
     };
     assert_eq!(run(Engine::Walk), run(Engine::Batch));

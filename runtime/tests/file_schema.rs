@@ -59,9 +59,9 @@ fn every_node_and_input_is_in_the_schema() {
     assert_eq!(choices.len(), library.iter().count());
     for (choice, (_, definition)) in choices.iter().zip(library.iter()) {
         let signature = &definition.signature;
-        assert_eq!(choice["if"]["properties"]["type"]["const"], signature.name);
+        assert_eq!(choice["if"]["properties"]["type"]["const"], *signature.name);
         let inputs = choice["then"]["properties"]["inputs"]["properties"].as_object().unwrap();
-        let names: Vec<&str> = signature.inputs.iter().map(|input| input.name).collect();
+        let names: Vec<&str> = signature.inputs.iter().map(|input| &*input.name).collect();
         assert_eq!(inputs.keys().map(String::as_str).collect::<Vec<_>>(), names);
         for (input, schema) in signature.inputs.iter().zip(inputs.values()) {
             assert!(schema["description"].as_str().unwrap().starts_with(&input.doc));

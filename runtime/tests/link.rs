@@ -48,7 +48,7 @@ fn link(
     subject: Option<&Subject>,
     changes: &Changes,
 ) -> (Result<Linked, LinkError>, Vec<Note>) {
-    let library = Arc::new(NodeLibrary::standard());
+    let library = NodeLibrary::standard();
     let linker = Linker { library: &library, shading, subject, changes, built_in: false };
     let mut notes = Vec::new();
     let mut hear = |remark: Remark<'_>| {

@@ -141,19 +141,17 @@ fn read(path: &Path, library: &NodeLibrary) -> Graph {
     checked.graph.expect("a graph without findings")
 }
 
-fn shipped(name: &str) -> (Arc<Graph>, Arc<NodeLibrary>) {
-    let library = NodeLibrary::standard();
+fn shipped(name: &str) -> Arc<Graph> {
     let path = (graph_files().into_iter())
         .find(|path| path.file_stem().is_some_and(|stem| stem == name))
         .expect("the graph is shipped");
-    (Arc::new(read(&path, &library)), Arc::new(library))
+    Arc::new(read(&path, &NodeLibrary::standard()))
 }
 
 /// Shades point by point in both, and compares.
 fn compare(name: &str, overrides: &[(String, Literal)]) -> BTreeMap<Effect, usize> {
-    let (graph, library) = shipped(name);
     let options = Options { engine: Engine::Walk, ..Options::default() };
-    let shader = Shader::new(graph, library, overrides, options).expect("the graph compiles");
+    let shader = Shader::new(shipped(name), overrides, options).expect("the graph compiles");
     let monolith = find(name, overrides).expect("it has a monolith").expect("it takes them");
     let mut total = BTreeMap::new();
     for root in RootKind::ALL {

@@ -6,14 +6,13 @@ use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
 use phenomenon_compiler::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
-use phenomenon_compiler::values::{Literal, Type};
+use phenomenon_compiler::values::{Literal, Name, Type};
 
 use crate::mock::MockRenderer;
 
 /// A graph in the making.
 #[derive(Clone, Debug)]
 pub struct Build {
-    library: Arc<NodeLibrary>,
     graph: Graph,
 }
 
@@ -40,8 +39,8 @@ impl Build {
 
     /// Nothing yet, of the nodes of a library.
     pub fn with(library: NodeLibrary) -> Self {
-        let graph = Graph { name: "built".to_owned(), ..Graph::default() };
-        Self { library: Arc::new(library), graph }
+        let graph = Graph { library, name: "built".to_owned(), ..Graph::default() };
+        Self { graph }
     }
 
     /// Adds a parameter of the interface.
@@ -60,8 +59,8 @@ impl Build {
     /// # Panics
     /// If there is no such node type, input or form.
     pub fn node_of(&mut self, node_type: &str, generic: Type, inputs: &[(&str, Binding)]) -> Made {
-        let found = self.library.find(node_type).expect("a node type");
-        let definition = self.library.definition(found);
+        let found = self.graph.library.find(node_type).expect("a node type");
+        let definition = self.graph.library.definition(found);
         let overload = definition
             .overloads
             .iter()
@@ -71,7 +70,8 @@ impl Build {
         for (name, binding) in inputs {
             bindings[definition.signature.input(name).expect("an input")] = binding.clone();
         }
-        let outputs = definition.signature.outputs.iter().map(|output| output.name).collect();
+        let outputs =
+            definition.signature.outputs.iter().map(|output| output.name.clone()).collect();
         let at = self.graph.nodes.len();
         let name = format!("{node_type}_{at}");
         self.graph.nodes.push(Node { name, node_type: found, overload, inputs: bindings });
@@ -86,7 +86,7 @@ impl Build {
     /// The graph with a material root that may fail.
     pub fn material_where(mut self, color: Binding, ok: Binding) -> Built {
         self.graph.roots.push(Root { kind: RootKind::Material, color, ok });
-        Built { graph: Arc::new(self.graph), library: self.library }
+        Built { graph: Arc::new(self.graph) }
     }
 }
 
@@ -100,7 +100,7 @@ impl Default for Build {
 #[derive(Clone, Debug)]
 pub struct Made {
     at: usize,
-    outputs: Vec<&'static str>,
+    outputs: Vec<Name>,
 }
 
 impl Made {
@@ -114,18 +114,16 @@ impl Made {
     /// # Panics
     /// If there is none.
     pub fn output(&self, name: &str) -> Binding {
-        let output = self.outputs.iter().position(|output| *output == name);
+        let output = self.outputs.iter().position(|output| **output == *name);
         Binding::Node { node: self.at, output: output.expect("an output") }
     }
 }
 
-/// A graph with its library.
+/// A graph that was built.
 #[derive(Clone, Debug)]
 pub struct Built {
     /// The graph.
     pub graph: Arc<Graph>,
-    /// Its nodes.
-    pub library: Arc<NodeLibrary>,
 }
 
 /// Every engine, with both forms of the bodies and several batch sizes.
@@ -148,8 +146,7 @@ impl Built {
     /// # Panics
     /// If that fails.
     pub fn shader(&self, values: &[(String, Literal)], options: Options) -> Shader {
-        let (graph, library) = (Arc::clone(&self.graph), Arc::clone(&self.library));
-        Shader::new(graph, library, values, options).expect("the graph compiles")
+        Shader::new(Arc::clone(&self.graph), values, options).expect("the graph compiles")
     }
 
     /// Shades `points` in every engine with a clone of `renderer` and shows what came of it.

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
 use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::specialise::{SpecialiseError, expand};
 use phenomenon_compiler::state::State;
 use phenomenon_compiler::values::Literal;
@@ -34,8 +33,6 @@ pub struct Outcome {
 pub struct Case {
     /// The graph.
     pub graph: Arc<Graph>,
-    /// Its nodes.
-    pub library: Arc<NodeLibrary>,
     /// Values of parameters.
     pub values: Vec<(String, Literal)>,
     /// Points, of one ray type.
@@ -72,12 +69,7 @@ pub fn outcome(shader: &dyn Shade, root: RootKind, points: &[State]) -> Outcome 
 
 impl Case {
     /// The case of a seed: `graph` with random points in random batches, engines and instructions.
-    pub fn random(
-        random: &mut Random,
-        library: &Arc<NodeLibrary>,
-        graph: Graph,
-        values: Vec<(String, Literal)>,
-    ) -> Self {
+    pub fn random(random: &mut Random, graph: Graph, values: Vec<(String, Literal)>) -> Self {
         let count = random.pick(&[1, 7, 8, 9, 33]);
         let points = random.states(count);
         let mut option = |engine| Options {
@@ -87,8 +79,7 @@ impl Case {
             ..Options::default()
         };
         let options = vec![option(Engine::Walk), option(Engine::Batch), option(Engine::Jit)];
-        let (graph, library) = (Arc::new(graph), Arc::clone(library));
-        Self { graph, library, values, points, options, naive: true }
+        Self { graph: Arc::new(graph), values, points, options, naive: true }
     }
 
     /// Runs every engine. The error says what differed; a panic is an error.
@@ -101,8 +92,7 @@ impl Case {
     }
 
     fn shader(&self, options: Options) -> Result<Shader, String> {
-        let (graph, library) = (Arc::clone(&self.graph), Arc::clone(&self.library));
-        Shader::new(graph, library, &self.values, options)
+        Shader::new(Arc::clone(&self.graph), &self.values, options)
             .map_err(|error| format!("{options:?}: {error}"))
     }
 
@@ -115,7 +105,7 @@ impl Case {
         }
         for root in &self.graph.roots {
             let ray_type = self.points[0].ray_type;
-            match expand(&self.graph, &self.library, root, ray_type, &values) {
+            match expand(&self.graph, root, ray_type, &values) {
                 Ok(specialised) if specialised.instances.len() <= MOST_INSTANCES => {}
                 Ok(_) | Err(SpecialiseError::TooManyInstances { .. }) => return Ok(false),
                 Err(error) => return Err(error.to_string()),
@@ -154,7 +144,7 @@ impl Case {
     }
 
     fn naive_outcome(&self, root: RootKind) -> Option<Outcome> {
-        let naive = Naive::new(&self.graph, &self.library, &self.values);
+        let naive = Naive::new(&self.graph, &self.values);
         let mut renderer = MockRenderer::default();
         let mut steps = MOST_STEPS;
         let root = self.graph.root(root)?;

@@ -3,16 +3,15 @@
 use std::fmt::Write;
 
 use phenomenon_compiler::graph::{Binding, Graph};
-use phenomenon_compiler::nodes::NodeLibrary;
 
 /// The graph, a line for each node; inputs left at their defaults are left out.
-pub fn graph_text(graph: &Graph, library: &NodeLibrary) -> String {
+pub fn graph_text(graph: &Graph) -> String {
     let mut text = String::new();
     for parameter in &graph.parameters {
         let _ = writeln!(text, "  parameter {} = {}", parameter.name, parameter.default);
     }
     for node in &graph.nodes {
-        let definition = library.definition(node.node_type);
+        let definition = graph.library.definition(node.node_type);
         let generic = definition.overloads[node.overload].generic;
         let suffix = generic.map_or(String::new(), |of| format!("<{}>", of.name()));
         let inputs: Vec<String> = definition
@@ -21,27 +20,27 @@ pub fn graph_text(graph: &Graph, library: &NodeLibrary) -> String {
             .iter()
             .zip(&node.inputs)
             .filter(|(_, binding)| **binding != Binding::Default)
-            .map(|(input, given)| format!("{}: {}", input.name, binding(graph, library, given)))
+            .map(|(input, given)| format!("{}: {}", input.name, binding(graph, given)))
             .collect();
-        let name = definition.signature.name;
+        let name = &definition.signature.name;
         let _ = writeln!(text, "  {} = {name}{suffix} {{ {} }}", node.name, inputs.join(", "));
     }
     for root in &graph.roots {
-        let color = binding(graph, library, &root.color);
-        let ok = binding(graph, library, &root.ok);
+        let color = binding(graph, &root.color);
+        let ok = binding(graph, &root.ok);
         let _ = writeln!(text, "  root {} = {color}, ok {ok}", root.kind.name());
     }
     text
 }
 
-fn binding(graph: &Graph, library: &NodeLibrary, binding: &Binding) -> String {
+fn binding(graph: &Graph, binding: &Binding) -> String {
     match binding {
         Binding::Default => "default".to_owned(),
         Binding::Literal(value) => value.to_string(),
         Binding::Parameter(at) => graph.parameters[*at].name.clone(),
         Binding::Node { node, output } => {
             let node = &graph.nodes[*node];
-            let outputs = &library.signature(node.node_type).outputs;
+            let outputs = &graph.library.signature(node.node_type).outputs;
             format!("{}.{}", node.name, outputs[*output].name)
         }
     }

@@ -100,7 +100,7 @@ fn is_provided(field: Field) -> bool {
 }
 
 fn reads_light(library: &NodeLibrary, signature: &Signature) -> bool {
-    let node = reads::implied(library, signature.name);
+    let node = reads::implied(library, &signature.name);
     match &signature.kind {
         Kind::Fields(fields) => fields.iter().any(|field| is_provided(*field)),
         _ => is_of_light(&reads::of_node(library, &node, &|_, _| Fields::new())),
@@ -328,6 +328,7 @@ impl<'a> Growing<'a> {
         }
         let nodes = nodes.into_iter().flatten().collect();
         let graph = Graph {
+            library: self.library.clone(),
             name: "random".to_owned(),
             parameters: self.parameters,
             nodes,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use phenomenon_compiler::graph::{Binding, Graph, Root};
-use phenomenon_compiler::nodes::{DefaultValue, NodeLibrary};
+use phenomenon_compiler::nodes::DefaultValue;
 use phenomenon_compiler::values::{Literal, Type};
 
 use crate::differential::Case;
@@ -45,21 +45,21 @@ fn candidates(case: &Case) -> impl Iterator<Item = Case> {
         }
         candidates.push(Case { options: Vec::new(), naive: true, ..case.clone() });
     }
-    let graphs = smaller_graphs(&case.graph, &case.library).into_iter();
+    let graphs = smaller_graphs(&case.graph).into_iter();
     candidates.extend(graphs.map(|graph| Case { graph: Arc::new(graph), ..case.clone() }));
     candidates.into_iter()
 }
 
-fn smaller_graphs(graph: &Graph, library: &NodeLibrary) -> Vec<Graph> {
-    let mut smaller = with_smaller_roots(graph, library);
+fn smaller_graphs(graph: &Graph) -> Vec<Graph> {
+    let mut smaller = with_smaller_roots(graph);
     for (node, of) in graph.nodes.iter().enumerate() {
         for (input, binding) in of.inputs.iter().enumerate() {
-            let declared = &library.signature(of.node_type).inputs[input];
+            let declared = &graph.library.signature(of.node_type).inputs[input];
             let plain = match declared.default {
                 DefaultValue::Required => Binding::Literal(Literal::Vector([0.0, 0.0, 1.0])),
                 _ => Binding::Default,
             };
-            let mut instead = shortcuts(graph, library, binding);
+            let mut instead = shortcuts(graph, binding);
             if *binding != plain {
                 instead.push(plain);
             }
@@ -71,10 +71,10 @@ fn smaller_graphs(graph: &Graph, library: &NodeLibrary) -> Vec<Graph> {
         }
     }
     let smaller = smaller.into_iter().map(without_unused);
-    smaller.filter(|graph| is_valid(graph, library)).collect()
+    smaller.filter(is_valid).collect()
 }
 
-fn with_smaller_roots(graph: &Graph, library: &NodeLibrary) -> Vec<Graph> {
+fn with_smaller_roots(graph: &Graph) -> Vec<Graph> {
     let mut smaller = Vec::new();
     let with = |roots: Vec<Root>| Graph { roots, ..graph.clone() };
     if graph.roots.len() > 1 {
@@ -92,7 +92,7 @@ fn with_smaller_roots(graph: &Graph, library: &NodeLibrary) -> Vec<Graph> {
         // What feeds the root's colour may fail by itself.
         if let Binding::Node { node, .. } = root.color {
             let below = graph.nodes[node].inputs.iter();
-            for color in below.filter_map(|binding| as_color(graph, library, binding)) {
+            for color in below.filter_map(|binding| as_color(graph, binding)) {
                 replace(Root { color, ..root.clone() });
             }
         }
@@ -101,28 +101,19 @@ fn with_smaller_roots(graph: &Graph, library: &NodeLibrary) -> Vec<Graph> {
 }
 
 /// Outputs of the same type that feed the node of a binding, so that it can be skipped.
-fn shortcuts(graph: &Graph, library: &NodeLibrary, binding: &Binding) -> Vec<Binding> {
+fn shortcuts(graph: &Graph, binding: &Binding) -> Vec<Binding> {
     let Binding::Node { node, output } = binding else { return Vec::new() };
-    let from = output_type(graph, library, *node, *output);
+    let from = graph.output_type(*node, *output);
     let fits = |through: &&Binding| match through {
-        Binding::Node { node, output } => output_type(graph, library, *node, *output) == from,
+        Binding::Node { node, output } => graph.output_type(*node, *output) == from,
         _ => false,
     };
     graph.nodes[*node].inputs.iter().filter(fits).cloned().collect()
 }
 
-fn output_type(graph: &Graph, library: &NodeLibrary, node: usize, output: usize) -> Type {
-    let of = &graph.nodes[node];
-    let definition = library.definition(of.node_type);
-    match definition.signature.outputs[output].value_type {
-        Type::Generic => definition.overloads[of.overload].generic.unwrap_or(Type::Generic),
-        settled => settled,
-    }
-}
-
-fn as_color(graph: &Graph, library: &NodeLibrary, binding: &Binding) -> Option<Binding> {
+fn as_color(graph: &Graph, binding: &Binding) -> Option<Binding> {
     let Binding::Node { node, output } = binding else { return None };
-    output_type(graph, library, *node, *output).converts_to(Type::Color).then(|| binding.clone())
+    graph.output_type(*node, *output).converts_to(Type::Color).then(|| binding.clone())
 }
 
 /// Nodes no root needs are dropped.
@@ -162,7 +153,7 @@ fn without_unused(mut graph: Graph) -> Graph {
 }
 
 /// Whether the light of a loop is read below loops only.
-fn is_valid(graph: &Graph, library: &NodeLibrary) -> bool {
+fn is_valid(graph: &Graph) -> bool {
     let mut known: Vec<Option<Fields>> = vec![None; graph.nodes.len()];
     let mut settled = true;
     while std::mem::take(&mut settled) {
@@ -175,9 +166,9 @@ fn is_valid(graph: &Graph, library: &NodeLibrary) -> bool {
             if ready {
                 let of_output = |source: usize, output: usize| {
                     let whole = known[source].clone().unwrap_or_default();
-                    reads::of_output(library, &graph.nodes[source], output, &whole)
+                    reads::of_output(&graph.library, &graph.nodes[source], output, &whole)
                 };
-                let fields = reads::of_node(library, node, &of_output);
+                let fields = reads::of_node(&graph.library, node, &of_output);
                 known[at] = Some(fields);
                 settled = true;
             }
@@ -185,7 +176,7 @@ fn is_valid(graph: &Graph, library: &NodeLibrary) -> bool {
     }
     let reads_light = |binding: &Binding| match binding {
         Binding::Node { node, output } => known[*node].as_ref().is_some_and(|whole| {
-            is_of_light(&reads::of_output(library, &graph.nodes[*node], *output, whole))
+            is_of_light(&reads::of_output(&graph.library, &graph.nodes[*node], *output, whole))
         }),
         _ => false,
     };

@@ -2,8 +2,6 @@
 //!
 //! `PHENOMENON_CASES` sets how many graphs, `PHENOMENON_SEED` the first seed.
 
-use std::sync::Arc;
-
 use phenomenon_compiler::engine::{Engine, Options};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_tests::differential::{Agreement, Case};
@@ -17,11 +15,11 @@ fn from_environment(name: &str, otherwise: u64) -> u64 {
     std::env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(otherwise)
 }
 
-fn case(seed: u64, library: &Arc<NodeLibrary>) -> Case {
+fn case(seed: u64, library: &NodeLibrary) -> Case {
     let mut random = Random::new(seed);
     let size = 1 + random.below(if random.clone().chance(30) { 12 } else { 60 });
     let (graph, values) = random_graph(&mut random, library, size);
-    Case::random(&mut random, library, graph, values)
+    Case::random(&mut random, graph, values)
 }
 
 fn check(seed: u64, case: &Case) -> Agreement {
@@ -29,7 +27,7 @@ fn check(seed: u64, case: &Case) -> Agreement {
         Ok(agreement) => agreement,
         Err(error) => {
             let (small, error) = shrink(case, error);
-            let text = graph_text(&small.graph, &small.library);
+            let text = graph_text(&small.graph);
             let Case { values, points, .. } = small;
             panic!(
                 "seed {seed}: {error}\n{text}values {values:?}\n{} points: {:?}",
@@ -51,7 +49,6 @@ fn on_random_graphs_with_more_scopes() {
 }
 
 fn agree_on_random_graphs(library: NodeLibrary, cases: u64) {
-    let library = Arc::new(library);
     let first = from_environment("PHENOMENON_SEED", 0);
     let cases = from_environment("PHENOMENON_CASES", cases);
     let mut ran = 0;
@@ -74,7 +71,7 @@ fn agree_on_random_graphs(library: NodeLibrary, cases: u64) {
 
 #[test]
 fn whatever_engine_is_taken_by_itself() {
-    let library = Arc::new(NodeLibrary::standard());
+    let library = NodeLibrary::standard();
     for seed in 1 << 32..(1 << 32) + 40 {
         let mut case = case(seed, &library);
         case.options = vec![Options { engine: Engine::Auto, ..case.options[1] }; 3];

@@ -64,7 +64,6 @@ fn agree(built: &Built) {
     let mut random = Random::new(5);
     let case = Case {
         graph: Arc::clone(&built.graph),
-        library: Arc::clone(&built.library),
         values: Vec::new(),
         points: random.states(33),
         options: every_engine(),
@@ -102,7 +101,7 @@ fn outputs_are_found_by_name_wherever_they_stand() {
     // Names of nodes are keys of random numbers, and the mock's answers depend on them.
     let mut graph = (*foreign.graph).clone();
     graph.nodes[0].name = standard.graph.nodes[0].name.clone();
-    let foreign = Built { graph: Arc::new(graph), library: foreign.library };
+    let foreign = Built { graph: Arc::new(graph) };
     let mut expected = Vec::new();
     let renderer = MockRenderer::default();
     standard

@@ -81,7 +81,7 @@ fn no_node_gives_them() {
     let mut build = Build::new();
     let state = build.node("state", &[]);
     let built = noise(state.output("ray_type"), integer(0), build);
-    let refused = Shader::new(built.graph, built.library, &[], Options::default());
+    let refused = Shader::new(built.graph, &[], Options::default());
     let told = refused.expect_err("it cannot be known").to_string();
     assert!(told.contains("`octaves` must be a known number"), "{told}");
 }

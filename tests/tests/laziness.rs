@@ -229,7 +229,7 @@ fn a_scope_evaluates_anew_what_reads_the_normal_and_nothing_else() {
 /// Editing a parameter gives what a shader made with the new value gives.
 #[test]
 fn a_parameter_set_is_a_parameter_given() {
-    let library = Arc::new(NodeLibrary::standard());
+    let library = NodeLibrary::standard();
     let mut edits = 0;
     for seed in 1 << 33..(1 << 33) + 60 {
         let mut random = Random::new(seed);
@@ -238,8 +238,7 @@ fn a_parameter_set_is_a_parameter_given() {
         let graph = Arc::new(graph);
         let options = random.pick(&every_engine());
         let new = |values: &[(String, Literal)], options: Options| {
-            Shader::new(Arc::clone(&graph), Arc::clone(&library), values, options)
-                .expect("compiles")
+            Shader::new(Arc::clone(&graph), values, options).expect("compiles")
         };
         let mut edited = new(&values, options);
         for _ in 0..4 {

@@ -318,9 +318,8 @@ fn long_cycle(_: &Path) -> String {
 
 /// What compiling a graph says.
 fn compiled(graph: Graph) -> Result<Shader, String> {
-    let library = Arc::new(NodeLibrary::standard());
     let options = Options { engine: Engine::Batch, ..Options::default() };
-    Shader::new(Arc::new(graph), library, &[], options).map_err(|error| error.to_string())
+    Shader::new(Arc::new(graph), &[], options).map_err(|error| error.to_string())
 }
 
 /// Every level holds what is below twice: inside a scope and outside.
@@ -376,7 +375,7 @@ fn many_boxes(_: &Path) -> String {
             write!(text, r#","n{at}":{{"type":"negate","inputs":{{"input":{last}}}}}"#).unwrap();
             last = format!(r#"{{"node":"n{at}"}}"#);
         }
-        draw_svg(&graph(&phenomenon(&text, &last)), &NodeLibrary::standard())
+        draw_svg(&graph(&phenomenon(&text, &last)))
     };
     // One box is the root.
     with(MAX_BOXES - 1).unwrap();

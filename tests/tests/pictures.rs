@@ -62,9 +62,8 @@ fn scene(
 }
 
 fn compiled(shape: &str, graph: &str, options: Options) -> Scene {
-    let library = Arc::new(NodeLibrary::standard());
     scene(shape, graph, |graph, values| {
-        Arc::new(Shader::new(Arc::new(graph), Arc::clone(&library), values, options).unwrap())
+        Arc::new(Shader::new(Arc::new(graph), values, options).unwrap())
     })
 }
 

@@ -114,7 +114,6 @@ fn agree(built: &Built, seed: u64) -> usize {
     let mut random = Random::new(seed);
     let case = Case {
         graph: Arc::clone(&built.graph),
-        library: Arc::clone(&built.library),
         values: Vec::new(),
         points: random.states(33),
         options: every_engine(),
@@ -187,7 +186,6 @@ fn a_count_may_differ_from_point_to_point() {
         let built = build.material(made.first());
         let case = Case {
             graph: built.graph,
-            library: built.library,
             values: Vec::new(),
             points,
             options: every_engine(),
@@ -270,7 +268,7 @@ fn the_sample_is_read_below_its_loop_only() {
             }}"#
         );
         let document = document::read("sampled.json", text.as_bytes()).expect("it is JSON");
-        let findings = check_graph(&document, &Arc::new(library())).findings.into_iter();
+        let findings = check_graph(&document, &library()).findings.into_iter();
         findings.map(|finding| (finding.code, finding.message)).collect::<Vec<_>>()
     };
     assert_eq!(codes("mean"), []);

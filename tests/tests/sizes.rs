@@ -120,7 +120,7 @@ fn scopes_in_scopes() {
 fn names_in_deep_nests_stay_short() {
     let built = nested_scopes(2_000);
     let root = &built.graph.roots[0];
-    let specialised = expand(&built.graph, &built.library, root, RayType::Eye, &[]).expect("fits");
+    let specialised = expand(&built.graph, root, RayType::Eye, &[]).expect("fits");
     let longest = specialised.instances.values().map(|instance| instance.name.len()).max();
     assert!(longest < Some(300), "{longest:?}");
 }
@@ -131,8 +131,8 @@ fn scopes_that_double_end_in_an_error() {
         let built = doubling_scopes(levels);
         let start = Instant::now();
         let options = Options { engine, ..Options::default() };
-        let (graph, library) = (built.graph.clone(), built.library.clone());
-        let found = Shader::new(graph, library, &[], options);
+        let graph = built.graph.clone();
+        let found = Shader::new(graph, &[], options);
         println!("{levels} doublings in {engine:?}: {:?}", start.elapsed());
         assert!(
             matches!(found, Err(ShaderError::Specialise(SpecialiseError::TooManyInstances { .. }))),
@@ -162,7 +162,7 @@ fn nested_loops(levels: usize) -> Built {
 fn loops_in_loops_end_in_an_error_before_they_never_end() {
     agree("as many loops as may be", &nested_loops(MAX_NESTED_LOOPS));
     let built = nested_loops(MAX_NESTED_LOOPS + 1);
-    let found = Shader::new(built.graph, built.library, &[], Options::default());
+    let found = Shader::new(built.graph, &[], Options::default());
     assert!(
         matches!(found, Err(ShaderError::Specialise(SpecialiseError::TooManyLoops { .. }))),
         "{found:?}"

@@ -71,8 +71,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let graph = graphs::read(&arguments.graph, &library)?;
     outputs::require_apart(&[output])?;
     let text = match arguments.output {
-        Drawing::Svg(_) => draw_svg(&graph, &library),
-        Drawing::Dot(_) => draw_dot(&graph, &library),
+        Drawing::Svg(_) => draw_svg(&graph),
+        Drawing::Dot(_) => draw_dot(&graph),
     };
     let text = text.map_err(|error| refusal(&arguments.graph, &error))?;
     output.write(text)?;

@@ -66,7 +66,7 @@ impl Picture {
 /// A file that cannot be used, or a value that does not suit its name.
 pub fn load(
     path: &Path,
-    library: &Arc<NodeLibrary>,
+    library: &NodeLibrary,
     engine: &EngineArguments,
     flags: &Flags<'_>,
 ) -> Result<Picture, Failure> {
@@ -171,7 +171,7 @@ fn subject(
         Some(_) if engine.engine == EngineChoice::Monolith => {
             return Err(graphs::not_shown(&ShowNodeError::ByHand));
         }
-        Some(node) => shown_node(&graph, library, node, RootKind::Material)
+        Some(node) => shown_node(&graph, node, RootKind::Material)
             .map_err(|error| graphs::not_shown(&error))?,
         None => graph,
     };

@@ -189,7 +189,7 @@ fn bind_node<'d>(
         let generic = signature.inputs[at].value_type == Type::Generic;
         let to = due(&input.source, &signature.inputs[at], types.generic(node));
         let what = || {
-            let (name, of) = (signature.inputs[at].name, shortened(draft.name(node)));
+            let (name, of) = (&signature.inputs[at].name, shortened(draft.name(node)));
             format!("input `{name}` of node `{of}` ({})", signature.name)
         };
         let Some(to) = to else { continue };
@@ -258,11 +258,11 @@ fn missing_inputs(
         let required = matches!(input.default, DefaultValue::Required) && !given[at];
         let meant = |given: &DraftInput<'_>| {
             given.input.is_none()
-                && (is_near(&given.member.key, input.name)
-                    || synonyms::input(&given.member.key, |name| name == input.name).is_some())
+                && (is_near(&given.member.key, &input.name)
+                    || synonyms::input(&given.member.key, |name| input.name == name).is_some())
         };
         // What stands beside `type` was told to be a level too high.
-        let misplaced = drafted.member.value.get(input.name).is_some();
+        let misplaced = drafted.member.value.get(&input.name).is_some();
         if !required || misplaced || drafted.inputs.iter().any(meant) {
             continue;
         }

@@ -31,7 +31,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
                 }
                 SourceKind::Node(node, Some(output)) => {
                     let Some(node_type) = draft.nodes[node].node_type else { continue };
-                    let output = draft.node_types.signature(node_type).outputs[output].name;
+                    let output = &draft.node_types.signature(node_type).outputs[output].name;
                     format!("output `{output}` of node `{}`", shortened(draft.name(node)))
                 }
                 _ => continue,
@@ -47,7 +47,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
             true => format!("the constant {} rules it out", names.join(" and ")),
             false => reasons.join(" and "),
         };
-        let input = signature.inputs[dead].name;
+        let input = &signature.inputs[dead].name;
         let name = shortened(draft.name(at));
         let message = format!(
             "input `{input}` of node `{name}` ({}) is never evaluated: {why}",

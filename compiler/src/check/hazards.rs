@@ -25,7 +25,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
             }
             let place = Arrival { draft, intervals, node: at, input, given };
             let Some(arriving) = place.hazard(avoid) else { continue };
-            let (of, name) = (shortened(draft.name(at)), signature.name);
+            let (of, name) = (shortened(draft.name(at)), &signature.name);
             let (does, convention) = match avoid {
                 Avoid::Zero => ("divides by", "a division by 0 gives 0"),
                 Avoid::Negative => ("raises to a power", "see docs/numerics.md for its value"),

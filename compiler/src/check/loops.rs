@@ -107,7 +107,7 @@ impl Walk<'_, '_> {
         let by_default = self.by_default.get(node_type.0);
         for (at, is_given) in given.into_iter().enumerate() {
             if !is_given && !is_body(at) && by_default.is_some_and(|it| it[at]) {
-                self.report(reader, node, None, signature.inputs[at].name);
+                self.report(reader, node, None, &signature.inputs[at].name);
                 break;
             }
         }
@@ -118,7 +118,7 @@ impl Walk<'_, '_> {
             return;
         }
         let drafted = &self.draft.nodes[node];
-        let kind = drafted.node_type.map_or("", |it| self.draft.node_types.signature(it).name);
+        let kind = drafted.node_type.map_or("", |it| &*self.draft.node_types.signature(it).name);
         let name = shortened(&drafted.member.key);
         let by = if input.is_empty() {
             String::new()

@@ -133,9 +133,9 @@ fn describe(draft: &Draft<'_>, source: &Source<'_>) -> (String, String) {
         }
         SourceKind::Node(node, Some(output)) => {
             let name = shortened(draft.name(node));
-            let output = draft.nodes[node]
-                .node_type
-                .map_or("", |node_type| draft.node_types.signature(node_type).outputs[output].name);
+            let output = draft.nodes[node].node_type.map_or("", |node_type| {
+                &*draft.node_types.signature(node_type).outputs[output].name
+            });
             (format!("output `{output}` of node `{name}`"), format!("{name}.{output}"))
         }
         _ => ("it".into(), "it".into()),
@@ -200,7 +200,7 @@ fn converter(signature: &Signature, from: Type, to: Type) -> Option<(usize, Stri
     let all = taken.iter().all(|taken| *taken);
     match output {
         Some(output) if output > 0 => {
-            let of = signature.outputs[output].name;
+            let of = &signature.outputs[output].name;
             Some((2, format!("the output `{of}` of {name}")))
         }
         // A node that takes values apart or puts them together is named for just that.

@@ -1,10 +1,9 @@
 //! A phenomenon as others see it that use it.
 
-use std::collections::{HashMap, HashSet};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::collections::HashMap;
 
 use crate::graph::{Binding, Graph, Root, RootKind};
-use crate::nodes::{Definition, Input, Kind, NodeLibrary, Output, Signature};
+use crate::nodes::{Definition, Input, Kind, Output, Signature};
 use crate::state::Iterated;
 use crate::values::Type;
 
@@ -32,21 +31,20 @@ pub(super) struct Nested {
 impl Nested {
     /// What others need to know of a phenomenon that was checked.
     pub fn new(
-        library: &NodeLibrary,
         graph: Graph,
         outside_loops: Vec<OutsideLoops>,
         shapes: Vec<(String, Shape)>,
     ) -> Self {
         let names = graph.parameters.iter().enumerate();
         let positions = names.map(|(at, parameter)| (parameter.name.clone(), at)).collect();
-        let fixed = find_fixed(library, &graph);
+        let fixed = find_fixed(&graph);
         let asks = Vec::new();
         let mut nested = Self { graph, outside_loops, shapes, positions, fixed, asks };
-        nested.asks = nested.find_asks(library);
+        nested.asks = nested.find_asks();
         nested
     }
 
-    fn find_asks(&self, library: &NodeLibrary) -> Vec<Kind> {
+    fn find_asks(&self) -> Vec<Kind> {
         let mut asks: Vec<Kind> = Vec::new();
         let mut reached = vec![false; self.graph.nodes.len()];
         let mut pending: Vec<&Binding> =
@@ -58,7 +56,7 @@ impl Nested {
             }
             let node = &self.graph.nodes[*node];
             pending.extend(&node.inputs);
-            let kind = &library.signature(node.node_type).kind;
+            let kind = &self.graph.library.signature(node.node_type).kind;
             if matches!(kind, Kind::Request(_) | Kind::Loop(..)) && !asks.contains(kind) {
                 asks.push(kind.clone());
             }
@@ -75,7 +73,7 @@ impl Nested {
 
     /// The node type it is under the path of its file: its parameters are the inputs, its root's color
     /// and ok the outputs.
-    pub fn definition(&self, path: &str) -> Definition {
+    pub fn definition(&self, path: String) -> Definition {
         let inputs: Vec<Input> = self
             .graph
             .parameters
@@ -83,13 +81,13 @@ impl Nested {
             .zip(&self.fixed)
             .map(|(parameter, &fixed)| {
                 let default = parameter.default.clone();
-                let input =
-                    Input::new(interned(&parameter.name), &[], parameter.value_type, default);
+                let name = parameter.name.clone();
+                let input = Input::new(name, &[], parameter.value_type, default);
                 Input { doc: parameter.doc.clone(), fixed, ..input.within(parameter.range.clone()) }
             })
             .collect();
         Definition::without_body(Signature {
-            name: interned(path),
+            name: path.into(),
             group: "phenomena",
             doc: self.graph.doc.clone(),
             source: "",
@@ -104,10 +102,10 @@ impl Nested {
 }
 
 /// For each parameter, whether an input takes it that is known before shading.
-fn find_fixed(library: &NodeLibrary, graph: &Graph) -> Vec<bool> {
+fn find_fixed(graph: &Graph) -> Vec<bool> {
     let mut fixed = vec![false; graph.parameters.len()];
     for node in &graph.nodes {
-        let inputs = &library.signature(node.node_type).inputs;
+        let inputs = &graph.library.signature(node.node_type).inputs;
         for (input, binding) in inputs.iter().zip(&node.inputs) {
             if let (true, Binding::Parameter(parameter)) = (input.fixed, binding) {
                 fixed[*parameter] = true;
@@ -115,18 +113,4 @@ fn find_fixed(library: &NodeLibrary, graph: &Graph) -> Vec<bool> {
         }
     }
     fixed
-}
-
-/// A name that lives as long as the program, as signatures want it. Each different name is kept
-/// once, so checking the same files again and again costs nothing more.
-fn interned(name: &str) -> &'static str {
-    static NAMES: OnceLock<Mutex<HashSet<&'static str>>> = OnceLock::new();
-    let names = NAMES.get_or_init(Mutex::default);
-    let mut names = names.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = names.get(name) {
-        return known;
-    }
-    let kept: &'static str = Box::leak(name.to_owned().into_boxed_str());
-    names.insert(kept);
-    kept
 }

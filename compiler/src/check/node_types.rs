@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use crate::nodes::{Definition, NodeLibrary, NodeType, Signature};
+use crate::values::Name;
 
 /// The types of nodes. Positions past those of the library are phenomena.
 pub(super) struct NodeTypes<'l> {
@@ -10,7 +11,7 @@ pub(super) struct NodeTypes<'l> {
     pub library: &'l NodeLibrary,
     known: usize,
     phenomena: Vec<Definition>,
-    by_path: HashMap<&'static str, NodeType>,
+    by_path: HashMap<Name, NodeType>,
 }
 
 impl<'l> NodeTypes<'l> {
@@ -23,7 +24,7 @@ impl<'l> NodeTypes<'l> {
     /// Adds a phenomenon, which is named for its path; one of the same path is the same.
     pub fn add(&mut self, definition: Definition) -> NodeType {
         let next = NodeType(self.known + self.phenomena.len());
-        let node_type = *self.by_path.entry(definition.signature.name).or_insert(next);
+        let node_type = *self.by_path.entry(definition.signature.name.clone()).or_insert(next);
         if node_type == next {
             self.phenomena.push(definition);
         }

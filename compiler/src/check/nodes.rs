@@ -143,7 +143,7 @@ fn check_version(
     if wanted == 0 || wanted == version {
         return;
     }
-    let name = draft.node_types.signature(node_type).name;
+    let name = &draft.node_types.signature(node_type).name;
     let message = format!("`{name}` has version {version}, not {wanted}");
     let help = format!("check what changed in it, then write `\"version\": {version}`");
     reader.report(Code::VERSION_MISMATCH, value, message, help);
@@ -162,7 +162,7 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
     let found = draft.node_types.library.find(name);
     if found.is_none() {
         let names: Vec<&str> =
-            draft.node_types.signatures().map(|signature| signature.name).collect();
+            draft.node_types.signatures().map(|signature| &*signature.name).collect();
         // A library of another crate may lack what the tables name.
         let synonym = synonyms::node(name).filter(|found| {
             found.ours.iter().all(|ours| draft.node_types.library.find(ours).is_some())
@@ -193,7 +193,7 @@ fn check_given_twice(reader: &mut Reader<'_>, signature: &Signature, inputs: &[D
         let Some(at) = input.input.filter(|at| !signature.inputs[*at].list) else { continue };
         let Some(first) = given.insert(at, input.member) else { continue };
         if first.key_start != input.member.key_start && told.insert(input.member.key_start) {
-            let part = shortened(signature.inputs[at].name);
+            let part = shortened(&signature.inputs[at].name);
             let message = format!(
                 "`{}` gives the part `{part}`, which `{}` gives too",
                 shortened(&input.member.key),
@@ -221,7 +221,7 @@ fn unknown_input(
     (signature, given): (&Signature, &[bool]),
     member: &Member,
 ) {
-    let names = || signature.inputs.iter().map(|input| input.name);
+    let names = || signature.inputs.iter().map(|input| &*input.name);
     let near = reader.suggestions.nearest(&member.key, names());
     // What is given already is not meant once more.
     let is_given = |name: &str| signature.input(name).is_some_and(|at| given[at]);
@@ -243,7 +243,7 @@ fn unknown_input(
         advice.fix = None;
     }
     let place = reader.document.place_of_key(member);
-    let (name, kind) = (shortened(draft.name(node)), signature.name);
+    let (name, kind) = (shortened(draft.name(node)), &signature.name);
     let message = format!("node `{name}` ({kind}) has no input `{}`", shortened(&member.key));
     reader.findings.push(Finding::misspelt(Code::UNKNOWN_INPUT, place, message, advice));
 }
@@ -263,7 +263,7 @@ fn read_inputs<'d>(
     for member in members {
         let input = signature.and_then(|signature| signature.input(&member.key));
         let what = || {
-            let kind = signature.map_or("", |signature| signature.name);
+            let kind = signature.map_or("", |signature| &*signature.name);
             let of = shortened(draft.name(node));
             format!("input `{}` of node `{of}` ({kind})", shortened(&member.key))
         };

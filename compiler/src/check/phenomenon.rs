@@ -61,7 +61,9 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, given: Given<'d>, named: Named)
     let parameters = draft.parameters.iter_mut().filter_map(|given| given.parameter.take());
     let parameters = parameters.collect();
     let Header { name, version, doc } = header;
-    let graph = Graph { name, doc, version, requirements, parameters, nodes, roots, ruled_out };
+    let library = given.library.clone();
+    let graph =
+        Graph { library, name, doc, version, requirements, parameters, nodes, roots, ruled_out };
     if draft.phenomena.values().any(Option::is_none) || reader.findings.has_errors() {
         return None;
     }
@@ -70,7 +72,7 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, given: Given<'d>, named: Named)
         false => expand::expand(reader, &draft, graph)?,
     };
     let shapes = draft.compounds.drain(..).filter(|(name, _)| !name.contains(['.', '[']));
-    Some(Nested::new(given.library, graph, outside_loops, shapes.collect()))
+    Some(Nested::new(graph, outside_loops, shapes.collect()))
 }
 
 fn read_header<'d>(reader: &mut Reader<'d>, object: &Object<'d>) -> Header {

@@ -140,7 +140,7 @@ fn computed(
     let (Some(node_type), Some(reached)) = (draft.nodes[node].node_type, word.reached) else {
         return;
     };
-    let output = draft.node_types.signature(node_type).outputs[output].name;
+    let output = &draft.node_types.signature(node_type).outputs[output].name;
     let name = shortened(draft.name(node));
     let own = described(reached.low.into(), reached.high.into());
     let is = if word.sources == 0 { "is" } else { "may be" };

@@ -120,7 +120,7 @@ fn node(draft: &Draft<'_>, name: &str, rest: Option<&str>) -> Meant {
         let output = found.ours.first().copied().unwrap_or(rest);
         return unsure(format!("write {}", written(output)));
     }
-    let outputs = signature.outputs.iter().map(|output| output.name);
+    let outputs = signature.outputs.iter().map(|output| &*output.name);
     let outputs = crate::diagnostics::listed(outputs);
     unsure(format!("write `{{ \"node\": \"{shown}\", \"output\": … }}`; its outputs are {outputs}"))
 }

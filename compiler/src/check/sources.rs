@@ -84,7 +84,7 @@ fn unknown_output(
 ) {
     let Some(node_type) = draft.nodes[node].node_type else { return };
     let signature = draft.node_types.signature(node_type);
-    let names = || signature.outputs.iter().map(|output| output.name);
+    let names = || signature.outputs.iter().map(|output| &*output.name);
     let advice = match references::part_of_output(draft, node, output) {
         Some(help) => help.into(),
         None => {

@@ -84,7 +84,7 @@ fn report(
     if let Some(inner) = inner
         && !inner.graph.requirements.applies_to(station)
     {
-        let (name, of) = (shortened(draft.name(node)), signature.name);
+        let (name, of) = (shortened(draft.name(node)), &signature.name);
         let station = station.name();
         let message = format!(
             "node `{name}` ({of}) stands below the root `{station}`, which its `apply` excludes"

@@ -35,7 +35,7 @@ pub(super) fn declare<'d>(
         };
         let node_type = nested.map(|nested| {
             let path = beside(&reader.document.file.name, file).display().to_string();
-            let node_type = draft.node_types.add(nested.definition(&path));
+            let node_type = draft.node_types.add(nested.definition(path));
             draft.nested.insert(node_type, nested);
             node_type
         });

@@ -7,7 +7,6 @@ use std::time::Instant;
 
 use crate::effects::{EffectSet, Renderer};
 use crate::graph::{BindError, Graph, Root, RootKind};
-use crate::nodes::NodeLibrary;
 use crate::schedule::{Schedule, schedule};
 use crate::specialise::{InstanceKind, SpecialiseError, Specialised, Uniforms, expand};
 use crate::state::{RayType, State};
@@ -39,7 +38,6 @@ pub enum ShaderError {
 #[derive(Debug)]
 pub struct Shader {
     graph: Arc<Graph>,
-    library: Arc<NodeLibrary>,
     values: Vec<Literal>,
     options: Options,
     programs: Vec<Compiled>,
@@ -73,10 +71,9 @@ struct RootCode {
 }
 
 impl Shader {
-    /// Compiles `graph`, checked with `library`, with `values` for some of its parameters.
+    /// Compiles `graph` with `values` for some of its parameters.
     pub fn new(
         graph: Arc<Graph>,
-        library: Arc<NodeLibrary>,
         values: &[(String, Literal)],
         options: Options,
     ) -> Result<Self, ShaderError> {
@@ -84,7 +81,6 @@ impl Shader {
         let mut shader = Self {
             values: defaults.collect(),
             graph,
-            library,
             options,
             programs: Vec::new(),
             compile_nanoseconds: 0,
@@ -204,7 +200,7 @@ impl Shader {
     }
 
     fn compile_root(&self, root: &Root, ray_type: RayType) -> Result<Compiled, ShaderError> {
-        let specialised = expand(&self.graph, &self.library, root, ray_type, &self.values)?;
+        let specialised = expand(&self.graph, root, ray_type, &self.values)?;
         let uniforms = specialised.uniforms.clone();
         let engine = self.options.engine;
         let schedule = (engine != Engine::Walk).then(|| schedule(&specialised));

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::nodes::{FINITE, NodeType};
+use crate::nodes::{FINITE, NodeLibrary, NodeType};
 use crate::values::{Literal, Type};
 
 use super::{Requirements, RootKind};
@@ -10,6 +10,8 @@ use super::{Requirements, RootKind};
 /// A phenomenon without findings of severity error.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
+    /// The node types its nodes are of: those it was checked with.
+    pub library: NodeLibrary,
     /// Name of the phenomenon.
     pub name: String,
     /// Its doc.
@@ -57,7 +59,7 @@ pub struct Parameter {
 pub struct Node {
     /// Its name; inside nested phenomena joined by `/`.
     pub name: String,
-    /// Its type in the [`crate::nodes::NodeLibrary`] the graph was checked with.
+    /// Its type in [`Graph::library`].
     pub node_type: NodeType,
     /// Position in [`crate::nodes::Definition::overloads`].
     pub overload: usize,

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use thiserror::Error;
 
 use super::{Binding, Graph, Node, Root, RootKind};
-use crate::nodes::{Kind, NodeLibrary, is_of_turn, reads_turn};
+use crate::nodes::{Kind, is_of_turn, reads_turn};
 use crate::state::Iterated;
 use crate::values::Type;
 
@@ -43,9 +43,9 @@ pub enum WithRootError {
 
 impl Graph {
     /// The type of an output of a node, by positions.
-    pub fn output_type(&self, library: &NodeLibrary, node: usize, output: usize) -> Type {
+    pub fn output_type(&self, node: usize, output: usize) -> Type {
         let Node { node_type, overload, .. } = &self.nodes[node];
-        let definition = library.definition(*node_type);
+        let definition = self.library.definition(*node_type);
         match definition.signature.outputs[output].value_type {
             Type::Generic => definition.overloads[*overload].generic.unwrap_or(Type::Generic),
             other => other,
@@ -58,29 +58,24 @@ impl Graph {
     ///
     /// # Errors
     /// The output has no value outside a light loop, or is no value at all.
-    pub fn with_root(
-        &self,
-        library: &NodeLibrary,
-        node: usize,
-        output: usize,
-    ) -> Result<Graph, WithRootError> {
-        if self.reads_light_sample(library, node, output) {
+    pub fn with_root(&self, node: usize, output: usize) -> Result<Graph, WithRootError> {
+        if self.reads_light_sample(node, output) {
             return Err(WithRootError::InsideLightLoop { node: self.nodes[node].name.clone() });
         }
         let mut graph = self.clone();
         let value = Binding::Node { node, output };
-        let color = match self.output_type(library, node, output) {
+        let color = match self.output_type(node, output) {
             Type::Color | Type::Scalar | Type::Integer => value,
             Type::Vector => {
-                let split = graph.append(library, "split_vector", None, vec![value])?;
+                let split = graph.append("split_vector", None, vec![value])?;
                 let component = |output| Binding::Node { node: split, output };
                 let inputs = vec![component(0), component(1), component(2), Binding::Default];
-                let combined = graph.append(library, "combine_color", None, inputs)?;
+                let combined = graph.append("combine_color", None, inputs)?;
                 Binding::Node { node: combined, output: 0 }
             }
             Type::Boolean => {
                 let inputs = vec![value, Binding::Default, Binding::Default];
-                let chosen = graph.append(library, "select", Some(Type::Scalar), inputs)?;
+                let chosen = graph.append("select", Some(Type::Scalar), inputs)?;
                 Binding::Node { node: chosen, output: 0 }
             }
             Type::Shader
@@ -90,11 +85,11 @@ impl Graph {
             | Type::Light
             | Type::Lights
             | Type::Generic => {
-                let other = self.output_type(library, node, output);
-                let signature = library.signature(self.nodes[node].node_type);
+                let other = self.output_type(node, output);
+                let signature = self.library.signature(self.nodes[node].node_type);
                 return Err(WithRootError::NotAValue {
                     node: self.nodes[node].name.clone(),
-                    output: signature.outputs[output].name.into(),
+                    output: signature.outputs[output].name.to_string(),
                     type_name: other.name(),
                 });
             }
@@ -107,15 +102,14 @@ impl Graph {
     /// Adds a node of the type called `name`, under a name no file can give one.
     fn append(
         &mut self,
-        library: &NodeLibrary,
         name: &'static str,
         generic: Option<Type>,
         inputs: Vec<Binding>,
     ) -> Result<usize, WithRootError> {
         let type_name = generic.unwrap_or(Type::Vector).name();
         let missing = WithRootError::NoConversion { name, type_name };
-        let node_type = library.find(name).ok_or_else(|| missing.clone())?;
-        let definition = library.definition(node_type);
+        let node_type = self.library.find(name).ok_or_else(|| missing.clone())?;
+        let definition = self.library.definition(node_type);
         let overload = definition.overloads.iter().position(|form| form.generic == generic);
         let fits = definition.signature.inputs.len() == inputs.len();
         let overload = overload.filter(|_| fits).ok_or(missing)?;
@@ -124,15 +118,15 @@ impl Graph {
     }
 
     /// Whether an output depends on the light sample otherwise than through the body of a loop.
-    fn reads_light_sample(&self, library: &NodeLibrary, node: usize, output: usize) -> bool {
+    fn reads_light_sample(&self, node: usize, output: usize) -> bool {
         let mut seen = HashSet::from([(node, output)]);
         let mut waiting = vec![(node, output)];
         while let Some((node, output)) = waiting.pop() {
             let Node { node_type, inputs, .. } = &self.nodes[node];
-            if is_of_turn(library, *node_type, Some(output), Iterated::Lights) {
+            if is_of_turn(&self.library, *node_type, Some(output), Iterated::Lights) {
                 return true;
             }
-            let signature = library.signature(*node_type);
+            let signature = self.library.signature(*node_type);
             for (at, (input, binding)) in signature.inputs.iter().zip(inputs).enumerate() {
                 if input.scoped && matches!(signature.kind, Kind::Loop(Iterated::Lights, _)) {
                     continue;
@@ -141,7 +135,9 @@ impl Graph {
                     Binding::Node { node, output } if seen.insert((*node, *output)) => {
                         waiting.push((*node, *output));
                     }
-                    Binding::Default if reads_turn(library, *node_type, at, Iterated::Lights) => {
+                    Binding::Default
+                        if reads_turn(&self.library, *node_type, at, Iterated::Lights) =>
+                    {
                         return true;
                     }
                     _ => {}
@@ -161,6 +157,7 @@ mod tests {
     use crate::document;
     use crate::effects::NoScene;
     use crate::engine::{Engine, Options, Shade, Shaded, Shader};
+    use crate::nodes::NodeLibrary;
     use crate::state::{Field, State};
 
     const GRAPH: &str = r#"{
@@ -175,15 +172,15 @@ mod tests {
         "roots": { "material": { "node": "lit" } }
     }"#;
 
-    fn graph(library: &NodeLibrary) -> Graph {
+    fn graph() -> Graph {
         let document = document::read("looked_at.json", GRAPH.as_bytes()).unwrap();
-        let checked = check_graph(&document, library);
+        let checked = check_graph(&document, &NodeLibrary::standard());
         checked.graph.unwrap_or_else(|| panic!("{:?}", checked.findings))
     }
 
-    fn shaded(graph: Graph, library: &Arc<NodeLibrary>, engine: Engine) -> [u32; 4] {
+    fn shaded(graph: Graph, engine: Engine) -> [u32; 4] {
         let options = Options { engine, ..Options::default() };
-        let shader = Shader::new(Arc::new(graph), Arc::clone(library), &[], options).unwrap();
+        let shader = Shader::new(Arc::new(graph), &[], options).unwrap();
         let mut results = [Shaded::default()];
         shader.shade(RootKind::Material, &[State::default()], &mut NoScene, &mut results);
         results[0].color.map(f32::to_bits)
@@ -191,27 +188,25 @@ mod tests {
 
     #[test]
     fn every_type_is_looked_at_to_the_bit() {
-        let library = Arc::new(NodeLibrary::standard());
-        let graph = graph(&library);
+        let graph = graph();
         let field = |name: &str| {
             let position = Field::ALL.iter().position(|field| field.name() == name).unwrap();
-            graph.with_root(&library, 0, position).unwrap()
+            graph.with_root(0, position).unwrap()
         };
         for engine in [Engine::Walk, Engine::Batch] {
-            let vector = shaded(graph.with_root(&library, 1, 0).unwrap(), &library, engine);
+            let vector = shaded(graph.with_root(1, 0).unwrap(), engine);
             assert_eq!(vector, [0.5, 0.0, 1.0 + 1e-40, 1.0].map(f32::to_bits));
-            assert_eq!(shaded(field("dot_nd"), &library, engine)[0], (-1.0_f32).to_bits());
-            assert_eq!(shaded(field("inv_normal"), &library, engine)[0], 0);
-            assert_eq!(shaded(field("ray_type"), &library, engine)[0], 0);
+            assert_eq!(shaded(field("dot_nd"), engine)[0], (-1.0_f32).to_bits());
+            assert_eq!(shaded(field("inv_normal"), engine)[0], 0);
+            assert_eq!(shaded(field("ray_type"), engine)[0], 0);
         }
     }
 
     #[test]
     fn what_reads_the_light_sample_has_no_value_outside_its_loop() {
-        let library = NodeLibrary::standard();
-        let graph = graph(&library);
-        let error = graph.with_root(&library, 2, 0).unwrap_err();
+        let graph = graph();
+        let error = graph.with_root(2, 0).unwrap_err();
         assert_eq!(error, WithRootError::InsideLightLoop { node: "inside".into() });
-        assert!(graph.with_root(&library, 3, 0).is_ok());
+        assert!(graph.with_root(3, 0).is_ok());
     }
 }

@@ -47,8 +47,7 @@ fn the_new_node_runs_in_every_engine() {
     for engine in [Engine::Walk, Engine::Batch, Engine::Jit] {
         let options = Options { engine, ..Options::default() };
         let values = [("amount".to_string(), Literal::Scalar(3.0))];
-        let shader = Shader::new(graph.clone(), library.clone(), &values, options)
-            .expect("the graph compiles");
+        let shader = Shader::new(graph.clone(), &values, options).expect("the graph compiles");
         let mut results = [Shaded::default(); 9];
         shader.shade(RootKind::Material, &[State::default(); 9], &mut NoScene, &mut results);
         let expected = Shaded { color: [-0.5, 0.25, 2.5, 1.0], ok: true };

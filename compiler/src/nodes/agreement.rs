@@ -317,7 +317,7 @@ fn nodes_per_component_take_each_alone_and_keep_the_alpha_of_the_first() {
             return;
         }
         tried += 1;
-        let name = definition.signature.name;
+        let name = &definition.signature.name;
         let generic = |input: &super::Input| input.value_type == Type::Generic;
         assert!(generic(&definition.signature.inputs[0]), "{name}: alpha comes from there");
         let of_one = (definition.overloads.iter())
@@ -346,16 +346,16 @@ fn signatures_are_sound() {
     let library = NodeLibrary::standard();
     for (node_type, definition) in library.iter() {
         let signature = &definition.signature;
-        let name = signature.name;
+        let name = &*signature.name;
         assert_eq!(library.find(name), Some(node_type), "{name} is listed twice");
         assert!(!signature.doc.is_empty() && !signature.outputs.is_empty(), "{name}");
-        assert!(super::GROUPS.iter().any(|(group, _)| *group == signature.group), "{name}");
+        assert!(library.groups().iter().any(|group| group.name == signature.group), "{name}");
         for overload in &definition.overloads {
             assert_eq!(overload.guards.len(), signature.inputs.len(), "{name}");
         }
         for (at, input) in signature.inputs.iter().enumerate() {
             assert!(input.doc.ends_with('.'), "{name}.{}", input.name);
-            assert_eq!(signature.input(input.name), Some(at), "{name}.{} twice", input.name);
+            assert_eq!(signature.input(&input.name), Some(at), "{name}.{} twice", input.name);
             let guards = definition.overloads.iter().map(|overload| &overload.guards[at]);
             assert!(guards.map(Option::is_some).all(|guard| guard == input.guarded));
             let named = input.choices.is_empty() || input.fixed;
@@ -364,7 +364,7 @@ fn signatures_are_sound() {
         }
         for (at, output) in signature.outputs.iter().enumerate() {
             assert!(output.doc.ends_with('.'), "{name}.{}", output.name);
-            assert_eq!(signature.output(output.name), Some(at), "{name}.{} twice", output.name);
+            assert_eq!(signature.output(&output.name), Some(at), "{name}.{} twice", output.name);
         }
     }
 }

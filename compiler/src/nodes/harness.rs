@@ -134,7 +134,7 @@ fn words(definition: &Definition, overload: &Overload, given: &[(&str, Literal)]
     let mut words = Vec::new();
     for input in &definition.signature.inputs {
         let value_type = settled(input.value_type, overload);
-        let literal = given.iter().find(|(name, _)| *name == input.name).map(|(_, value)| value);
+        let literal = given.iter().find(|(name, _)| input.name == *name).map(|(_, value)| value);
         if let Some(literal) = literal {
             assert_eq!(literal.value_type(), value_type, "type of `{}`", input.name);
             words.extend(literal.words());

@@ -1,10 +1,12 @@
 //! The list of nodes as a value: another crate can extend it.
 
 use std::collections::HashMap;
+use std::fmt;
+use std::sync::Arc;
 
 use crate::kernels::BodyForms;
 use crate::state::Field;
-use crate::values::Type;
+use crate::values::{Name, Type};
 
 use super::{Kind, Output, Signature};
 
@@ -99,7 +101,7 @@ impl Definition {
 
     /// A node whose outputs are fields of the state, by these names.
     pub fn of_fields(
-        name: &'static str,
+        name: impl Into<Name>,
         doc: &str,
         fields: impl IntoIterator<Item = (&'static str, Field)>,
     ) -> Self {
@@ -108,7 +110,7 @@ impl Definition {
             Output::new(name, &[field.doc()], field.value_type())
         };
         Self::without_body(Signature {
-            name,
+            name: name.into(),
             group: "state",
             doc: doc.into(),
             source: "mental ray manual, miState",
@@ -123,48 +125,90 @@ impl Definition {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeType(pub usize);
 
-/// The node types graphs can use.
-#[derive(Clone, Debug, Default)]
+/// A group of node types.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// Name: lower case, words joined by `_`.
+    pub name: &'static str,
+    /// What its nodes have in common: a sentence.
+    pub doc: &'static str,
+}
+
+/// The node types graphs can use. A clone shares them; what is added to it is its own.
+#[derive(Clone, Default)]
 pub struct NodeLibrary {
-    definitions: Vec<Definition>,
-    by_name: HashMap<&'static str, NodeType>,
+    shared: Arc<Shared>,
+}
+
+#[derive(Clone, Default)]
+struct Shared {
+    definitions: Vec<Arc<Definition>>,
+    by_name: HashMap<Name, NodeType>,
+    groups: Vec<Group>,
 }
 
 impl NodeLibrary {
-    /// Adds a node type, or replaces the one of the same name.
+    /// Adds a group, after those there are, or replaces the doc of the one of the same name.
+    pub fn add_group(&mut self, group: Group) {
+        let groups = &mut Arc::make_mut(&mut self.shared).groups;
+        match groups.iter_mut().find(|known| known.name == group.name) {
+            Some(known) => *known = group,
+            None => groups.push(group),
+        }
+    }
+
+    /// Adds a node type, or replaces the one of the same name. Its group is added before.
     ///
     /// # Panics
-    /// If engines could not run it; [`Definition::check`] tells beforehand.
+    /// If engines could not run it; [`Definition::check`] tells beforehand. If there is no such group.
     pub fn add(&mut self, definition: Definition) {
         if let Err(error) = definition.check() {
             panic!("{error}");
         }
-        let name = definition.signature.name;
-        if let Some(&NodeType(at)) = self.by_name.get(name) {
-            self.definitions[at] = definition;
+        let Signature { name, group, .. } = &definition.signature;
+        let known = self.groups().iter().any(|known| known.name == *group);
+        assert!(known, "`{name}` is of the group `{group}`, which the library does not have");
+        let name = name.clone();
+        let Shared { definitions, by_name, .. } = Arc::make_mut(&mut self.shared);
+        let next = NodeType(definitions.len());
+        let NodeType(at) = *by_name.entry(name).or_insert(next);
+        if at == next.0 {
+            definitions.push(Arc::new(definition));
         } else {
-            self.by_name.insert(name, NodeType(self.definitions.len()));
-            self.definitions.push(definition);
+            definitions[at] = Arc::new(definition);
         }
+    }
+
+    /// The groups, in order.
+    pub fn groups(&self) -> &[Group] {
+        &self.shared.groups
     }
 
     /// The node type called `name`.
     pub fn find(&self, name: &str) -> Option<NodeType> {
-        self.by_name.get(name).copied()
+        self.shared.by_name.get(name).copied()
     }
 
     /// The definition of a node type of this library.
     pub fn definition(&self, node_type: NodeType) -> &Definition {
-        &self.definitions[node_type.0]
+        &self.shared.definitions[node_type.0]
     }
 
     /// The signature of a node type of this library.
     pub fn signature(&self, node_type: NodeType) -> &Signature {
-        &self.definitions[node_type.0].signature
+        &self.definition(node_type).signature
     }
 
     /// Every node type with its definition, in the order of the list.
     pub fn iter(&self) -> impl Iterator<Item = (NodeType, &Definition)> {
-        self.definitions.iter().enumerate().map(|(at, definition)| (NodeType(at), definition))
+        let definitions = self.shared.definitions.iter().enumerate();
+        definitions.map(|(at, definition)| (NodeType(at), &**definition))
+    }
+}
+
+/// How many there are: graphs hold their library, and their text should not.
+impl fmt::Debug for NodeLibrary {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "NodeLibrary of {} nodes", self.shared.definitions.len())
     }
 }

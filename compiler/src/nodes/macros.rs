@@ -95,7 +95,7 @@ macro_rules! node {
         /// What the list of nodes holds of this node.
         pub fn definition() -> $crate::nodes::Definition {
             let signature = $crate::nodes::Signature {
-                name: stringify!($name),
+                name: stringify!($name).into(),
                 group: stringify!($group),
                 doc: $crate::nodes::paragraph(&[$($doc),+]),
                 source: $source,

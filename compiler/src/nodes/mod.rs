@@ -23,7 +23,7 @@ mod soundness;
 mod standard;
 mod turn_reads;
 
-pub use library::{Definition, NodeLibrary, NodeType, Overload};
+pub use library::{Definition, Group, NodeLibrary, NodeType, Overload};
 pub use paragraph::paragraph;
 pub use signature::{
     Avoid, BLACK, DefaultValue, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE,
@@ -43,7 +43,7 @@ macro_rules! nodes {
         }
 
         /// The groups with their descriptions, in order.
-        pub const GROUPS: &[(&str, &str)] = &[$((stringify!($group), concat!($($doc),+)),)+];
+        const GROUPS: &[(&str, &str)] = &[$((stringify!($group), concat!($($doc),+)),)+];
     };
 }
 

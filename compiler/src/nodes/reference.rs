@@ -5,9 +5,7 @@ use std::ops::RangeInclusive;
 
 use crate::state::Iterated;
 
-use super::{
-    Avoid, DefaultValue, Definition, FINITE, GROUPS, Kind, NOT_NEGATIVE, NodeLibrary, Signature,
-};
+use super::{Avoid, DefaultValue, Definition, FINITE, Kind, NOT_NEGATIVE, NodeLibrary, Signature};
 
 /// `docs/nodes.md`: every node of `library` in Markdown, by group.
 pub fn reference(library: &NodeLibrary) -> String {
@@ -18,10 +16,10 @@ pub fn reference(library: &NodeLibrary) -> String {
          must be given. An input *demanded only where …* is not evaluated elsewhere.\nRanges hold per \
          component (of a colour: red, green and blue) for the values that arrive.\n",
     );
-    for (group, doc) in GROUPS {
-        let _ = write!(page, "\n## {group}\n\n{}\n", doc.trim());
+    for group in library.groups() {
+        let _ = write!(page, "\n## {}\n\n{}\n", group.name, group.doc);
         for (_, definition) in library.iter() {
-            if definition.signature.group == *group {
+            if definition.signature.group == group.name {
                 write_node(&mut page, definition);
             }
         }

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use crate::effects::Effect;
 use crate::state::{Field, Iterated, Reduction};
 
-use crate::values::{Literal, Type};
+use crate::values::{Literal, Name, Type};
 
 use super::ports::Port;
 
@@ -100,7 +100,7 @@ pub enum Avoid {
 #[derive(Clone, Debug)]
 pub struct Input {
     /// Name in graph files.
-    pub name: &'static str,
+    pub name: Name,
     /// What it means, with its unit.
     pub doc: String,
     /// Its type.
@@ -132,13 +132,13 @@ pub mod avoidable {
 impl Input {
     /// An input for every finite number of its type, always demanded.
     pub fn new(
-        name: &'static str,
+        name: impl Into<Name>,
         doc: &[&str],
         value_type: Type,
         default: impl Into<DefaultValue>,
     ) -> Self {
         Self {
-            name,
+            name: name.into(),
             doc: super::paragraph(doc),
             value_type,
             default: default.into(),
@@ -197,7 +197,7 @@ impl Input {
 #[derive(Clone, Debug)]
 pub struct Output {
     /// Name in graph files.
-    pub name: &'static str,
+    pub name: Name,
     /// What it means, with its unit.
     pub doc: String,
     /// Its type.
@@ -208,8 +208,8 @@ pub struct Output {
 
 impl Output {
     /// An output that may be any finite number.
-    pub fn new(name: &'static str, doc: &[&str], value_type: Type) -> Self {
-        Self { name, doc: super::paragraph(doc), value_type, range: FINITE }
+    pub fn new(name: impl Into<Name>, doc: &[&str], value_type: Type) -> Self {
+        Self { name: name.into(), doc: super::paragraph(doc), value_type, range: FINITE }
     }
 
     /// With this range.
@@ -251,7 +251,7 @@ pub enum ListForm {
 #[derive(Clone, Debug)]
 pub struct Signature {
     /// Name in graph files: lower case, words joined by `_`.
-    pub name: &'static str,
+    pub name: Name,
     /// Group, which is also its folder.
     pub group: &'static str,
     /// What it does: first a sentence, then formula and numerical trap.

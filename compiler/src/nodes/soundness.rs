@@ -116,7 +116,7 @@ impl Definition {
         if let Kind::Loop(iterated, reduction) = signature.kind {
             check_loop(signature, iterated, reduction)?;
         }
-        let node = || signature.name.to_owned();
+        let node = || signature.name.to_string();
         if self.overloads.is_empty() {
             return Err(DefinitionError::NoOverload(node()));
         }
@@ -130,7 +130,7 @@ impl Definition {
                 _ => false,
             };
             if !(input.value_type == Type::Integer && within && default) {
-                return Err(DefinitionError::Fixed { node: node(), input: input.name.to_owned() });
+                return Err(DefinitionError::Fixed { node: node(), input: input.name.to_string() });
             }
         }
         for overload in &self.overloads {
@@ -140,7 +140,7 @@ impl Definition {
             }
             for (input, guard) in signature.inputs.iter().zip(&overload.guards) {
                 if let Some(guard) = guard.filter(|guard| guard.outputs != 1) {
-                    let (input, written) = (input.name.to_owned(), guard.outputs);
+                    let (input, written) = (input.name.to_string(), guard.outputs);
                     return Err(DefinitionError::GuardWords { node: node(), input, written });
                 }
             }
@@ -170,19 +170,20 @@ fn words_due(signature: &Signature, generic: Option<Type>) -> usize {
 
 fn check_request(signature: &Signature, effect: Effect) -> Result<(), DefinitionError> {
     let inputs = signature.inputs.iter();
-    let given = inputs.map(|input| Part { name: input.name, value_type: input.value_type });
-    if !given.eq(effect.arguments().iter().copied()) {
+    let given = inputs.map(|input| (&*input.name, input.value_type));
+    if !given.eq(effect.arguments().iter().map(|part| (part.name, part.value_type))) {
         return Err(DefinitionError::Arguments {
-            node: signature.name.to_owned(),
+            node: signature.name.to_string(),
             effect: effect.name(),
             expected: listed(effect.arguments()),
         });
     }
     for output in &signature.outputs {
-        let part = Part { name: output.name, value_type: output.value_type };
-        if !effect.answers().contains(&part) {
+        let is_part =
+            |part: &Part| output.name == part.name && output.value_type == part.value_type;
+        if !effect.answers().iter().any(is_part) {
             return Err(DefinitionError::Answer {
-                node: signature.name.to_owned(),
+                node: signature.name.to_string(),
                 output: format!("{}: {}", output.name, output.value_type.name()),
                 effect: effect.name(),
                 answers: listed(effect.answers()),
@@ -214,7 +215,7 @@ fn check_loop(
         return Ok(());
     }
     Err(DefinitionError::Loop {
-        node: signature.name.to_owned(),
+        node: signature.name.to_string(),
         over: iterated.name(),
         expected: arguments.iter().map(|of| of.name()).collect::<Vec<_>>().join(", "),
     })
@@ -326,7 +327,7 @@ mod tests {
     #[should_panic(expected = "has an output `depth: scalar`")]
     fn a_library_refuses_what_cannot_be_run() {
         let mut trace = standard("trace_reflection");
-        trace.signature.outputs[3].name = "depth";
+        trace.signature.outputs[3].name = "depth".into();
         NodeLibrary::standard().add(trace);
     }
 }

@@ -229,12 +229,12 @@ fn node(library: &NodeLibrary) -> Value {
     let mut choices = Vec::new();
     for (_, definition) in library.iter() {
         let signature = &definition.signature;
-        names.push(signature.name);
+        names.push(&*signature.name);
         docs.push(signature.doc.as_str());
         let inputs: Map<String, Value> = signature
             .inputs
             .iter()
-            .map(|input| (input.name.to_owned(), input_schema(input)))
+            .map(|input| (input.name.to_string(), input_schema(input)))
             .collect();
         let required = required_inputs(signature);
         let mut of_type =
@@ -243,7 +243,7 @@ fn node(library: &NodeLibrary) -> Value {
             of_type["required"] = json!(["inputs"]);
         }
         choices.push(json!({
-            "if": { "properties": { "type": { "const": signature.name } }, "required": ["type"] },
+            "if": { "properties": { "type": { "const": &*signature.name } }, "required": ["type"] },
             "then": of_type,
         }));
     }
@@ -266,10 +266,10 @@ fn node(library: &NodeLibrary) -> Value {
     node
 }
 
-fn required_inputs(signature: &Signature) -> Vec<&'static str> {
+fn required_inputs(signature: &Signature) -> Vec<&str> {
     let required =
         signature.inputs.iter().filter(|input| matches!(input.default, DefaultValue::Required));
-    required.map(|input| input.name).collect()
+    required.map(|input| &*input.name).collect()
 }
 
 fn input_schema(input: &Input) -> Value {

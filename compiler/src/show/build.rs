@@ -1,7 +1,7 @@
 //! The diagram of a graph.
 
 use crate::graph::{Binding, Graph, Root};
-use crate::nodes::{DefaultValue, Definition, Input, NodeLibrary};
+use crate::nodes::{DefaultValue, Definition, Input};
 use crate::values::Type;
 
 use super::dead::mark_dead;
@@ -11,25 +11,19 @@ use super::implied::{badge, implied};
 use super::values::{self, Value};
 
 /// What is drawn of `graph`, unless that would be more than `limit` cards.
-pub(super) fn diagram<'a>(
-    graph: &'a Graph,
-    library: &'a NodeLibrary,
-    limit: usize,
-) -> Result<Diagram<'a>, ShowError> {
+pub(super) fn diagram(graph: &Graph, limit: usize) -> Result<Diagram<'_>, ShowError> {
     let boxes = graph.parameters.len() + graph.nodes.len() + graph.roots.len();
     if boxes > limit {
         return Err(ShowError::TooManyBoxes { boxes, limit });
     }
-    let builder = Builder { graph, library, definitions: definitions(graph, library)? };
+    let builder = Builder { graph, definitions: definitions(graph)? };
     builder.require_bindings()?;
     Ok(builder.diagram())
 }
 
 /// The definition of each node.
-fn definitions<'a>(
-    graph: &'a Graph,
-    library: &'a NodeLibrary,
-) -> Result<Vec<&'a Definition>, ShowError> {
+fn definitions(graph: &Graph) -> Result<Vec<&Definition>, ShowError> {
+    let library = &graph.library;
     let known = library.iter().count();
     graph
         .nodes
@@ -55,7 +49,6 @@ fn inconsistent(place: &str, problem: &str) -> ShowError {
 
 struct Builder<'a> {
     graph: &'a Graph,
-    library: &'a NodeLibrary,
     definitions: Vec<&'a Definition>,
 }
 
@@ -120,7 +113,7 @@ impl<'a> Builder<'a> {
         Card {
             role: Role::Node,
             title: &node.name,
-            subtitle: signature.name,
+            subtitle: &signature.name,
             doc: &signature.doc,
             badge: own.or_else(|| inputs.iter().find_map(InputSocket::asks)),
             dead: Some(Dead::Unreached),
@@ -142,9 +135,9 @@ impl<'a> Builder<'a> {
                 None => Given::Default(Value::plain("true")),
             },
         };
-        let mut inputs = vec![socket("color", Type::Color, &root.color)];
+        let mut inputs = vec![socket("color".into(), Type::Color, &root.color)];
         if root.ok != Binding::Default {
-            inputs.push(socket("ok", Type::Boolean, &root.ok));
+            inputs.push(socket("ok".into(), Type::Boolean, &root.ok));
         }
         Card {
             role: Role::Root,
@@ -166,11 +159,11 @@ impl<'a> Builder<'a> {
                 Given::Default(values::default(&input.default, value_type))
             }
             DefaultValue::State(_) | DefaultValue::Node(_) => {
-                Given::Implied(implied(self.library, &input.default))
+                Given::Implied(implied(&self.graph.library, &input.default))
             }
         };
         InputSocket {
-            name: input.name,
+            name: input.name.clone(),
             value_type,
             guarded: input.guarded,
             scoped: input.scoped,
@@ -216,7 +209,7 @@ impl<'a> Builder<'a> {
             let outputs = &self.definitions[at].signature.outputs;
             let used = outputs.iter().zip(used).filter(|(_, used)| **used);
             let sockets = used.map(|(output, _)| OutputSocket {
-                name: output.name,
+                name: &output.name,
                 value_type: self.settled(at, output.value_type),
             });
             diagram.cards[diagram.parameters + at].outputs = sockets.collect();

@@ -106,8 +106,8 @@ impl Pen {
         let look = Look { hollow: input.guarded, double: input.scoped, small: !wired };
         self.socket(0.0, y, input.value_type, look);
         let ink = if matches!(input.given, Given::Default(_)) { FAINT } else { INK };
-        let room = name_room(input.name);
-        self.text(INDENT, y, ROW, ink, &ROW.fitted(input.name, room));
+        let room = name_room(&input.name);
+        self.text(INDENT, y, ROW, ink, &ROW.fitted(&input.name, room));
         let x = INDENT + room + TEXT_GAP;
         let width = value_room(&input.given);
         let (fill, slant) = match &input.given {

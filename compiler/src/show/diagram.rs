@@ -1,6 +1,6 @@
 //! What is drawn: cards with sockets, and wires between them, before anything has a place.
 
-use crate::values::Type;
+use crate::values::{Name, Type};
 
 use super::implied::{Badge, Implied};
 use super::values::Value;
@@ -64,7 +64,7 @@ pub(super) enum Dead {
 /// An input.
 pub(super) struct InputSocket {
     /// Its name.
-    pub name: &'static str,
+    pub name: Name,
     /// Its type, generic ones settled.
     pub value_type: Type,
     /// Evaluated only where needed.

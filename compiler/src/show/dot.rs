@@ -3,7 +3,6 @@
 use std::fmt::Write;
 
 use crate::graph::Graph;
-use crate::nodes::NodeLibrary;
 
 use super::build::diagram;
 use super::diagram::{Card, Diagram, Given, Role};
@@ -20,9 +19,9 @@ const LONGEST: usize = 40;
 /// socket, wires in the colour of the type they carry. Of any size.
 ///
 /// # Errors
-/// A graph that was not checked with `library`.
-pub fn draw_dot(graph: &Graph, library: &NodeLibrary) -> Result<String, ShowError> {
-    let diagram = diagram(graph, library, usize::MAX)?;
+/// A graph that was not checked.
+pub fn draw_dot(graph: &Graph) -> Result<String, ShowError> {
+    let diagram = diagram(graph, usize::MAX)?;
     let mut text = format!(
         "digraph \"{}\" {{\n  rankdir=LR; nodesep=0.3; ranksep=0.8; bgcolor=white;\n  \
          fontname=\"Helvetica\"; fontsize=16; labelloc=t; labeljust=l; label=\"{}\";\n  \
@@ -139,7 +138,7 @@ fn input_cell(card: &Card<'_>, row: usize) -> String {
         given => format!(" <FONT COLOR=\"{}\">{}</FONT>", given_color(&input.given), cell(given)),
     };
     let ruled_out = if input.ruled_out { " (ruled out)" } else { "" };
-    format!("<TD ALIGN=\"LEFT\" PORT=\"i{row}\">{}{value}{ruled_out}</TD>", cell(input.name))
+    format!("<TD ALIGN=\"LEFT\" PORT=\"i{row}\">{}{value}{ruled_out}</TD>", cell(&input.name))
 }
 
 fn given_color(given: &Given) -> &'static str {

@@ -134,7 +134,7 @@ fn rows_frame(card: &Card<'_>) -> Frame {
 fn row_width(card: &Card<'_>, row: usize) -> f64 {
     let left = card.inputs.get(row).map_or(0.0, |input| {
         let value = value_room(&input.given);
-        name_room(input.name) + if value > 0.0 { TEXT_GAP + value } else { 0.0 }
+        name_room(&input.name) + if value > 0.0 { TEXT_GAP + value } else { 0.0 }
     });
     let right = card.outputs.get(row).map_or(0.0, |output| name_room(output.name));
     let gap = if left > 0.0 && right > 0.0 { 2.0 * TEXT_GAP } else { 0.0 };

@@ -4,18 +4,17 @@
 //! use phenomenon_compiler::graph::{Binding, Graph, Node, Root, RootKind};
 //! use phenomenon_compiler::nodes::NodeLibrary;
 //! use phenomenon_compiler::show::{draw_dot, draw_svg};
-//! # fn graph(library: &NodeLibrary) -> Graph {
+//! # fn graph() -> Graph {
 //! #     let text = br#"{ "phenomenon": "mirror", "version": 1,
 //! #         "nodes": { "mirror": { "type": "trace_reflection" } },
 //! #         "roots": { "material": { "node": "mirror", "output": "color" } } }"#;
 //! #     let document = phenomenon_compiler::document::read("mirror.json", text).unwrap();
-//! #     phenomenon_compiler::check::check_graph(&document, library).graph.unwrap()
+//! #     phenomenon_compiler::check::check_graph(&document, &NodeLibrary::standard()).graph.unwrap()
 //! # }
 //!
-//! let library = NodeLibrary::standard();
-//! let graph = graph(&library);
-//! assert!(draw_svg(&graph, &library)?.starts_with("<svg "));
-//! assert!(draw_dot(&graph, &library)?.starts_with("digraph "));
+//! let graph = graph();
+//! assert!(draw_svg(&graph)?.starts_with("<svg "));
+//! assert!(draw_dot(&graph)?.starts_with("digraph "));
 //! # Ok::<(), phenomenon_compiler::show::ShowError>(())
 //! ```
 //!

@@ -3,7 +3,6 @@
 use std::fmt::Write;
 
 use crate::graph::Graph;
-use crate::nodes::NodeLibrary;
 
 use super::build::diagram;
 use super::diagram::Diagram;
@@ -26,9 +25,9 @@ const NARROWEST_PAGE: f64 = 480.0;
 /// faded.
 ///
 /// # Errors
-/// More than [`MAX_BOXES`] boxes, or a graph that was not checked with `library`.
-pub fn draw_svg(graph: &Graph, library: &NodeLibrary) -> Result<String, ShowError> {
-    let diagram = diagram(graph, library, MAX_BOXES)?;
+/// More than [`MAX_BOXES`] boxes, or a graph that was not checked.
+pub fn draw_svg(graph: &Graph) -> Result<String, ShowError> {
+    let diagram = diagram(graph, MAX_BOXES)?;
     Ok(write(&diagram, &layout(&diagram)?))
 }
 

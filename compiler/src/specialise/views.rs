@@ -43,11 +43,8 @@ pub(super) struct Views<'a> {
 
 impl<'a> Views<'a> {
     /// The nodes of `graph` for `root`.
-    pub fn new(
-        graph: &'a Graph,
-        library: &'a NodeLibrary,
-        root: &Root,
-    ) -> Result<Self, SpecialiseError> {
+    pub fn new(graph: &'a Graph, root: &Root) -> Result<Self, SpecialiseError> {
+        let library = &graph.library;
         let mut views = Vec::with_capacity(graph.nodes.len() + 1);
         for node in &graph.nodes {
             let definition = library.definition(node.node_type);
@@ -173,7 +170,7 @@ impl<'a> Views<'a> {
         let Kind::Request(effect) = signature.kind else {
             return Ok((0..output).map(|before| self.output_type(view, before).width()).sum());
         };
-        let name = signature.outputs[output].name;
+        let name = &signature.outputs[output].name;
         effect.answer_offset(name).ok_or_else(|| {
             let problem = format!("`{}` does not answer `{name}`", effect.name());
             inconsistent(self.name(view), &problem)

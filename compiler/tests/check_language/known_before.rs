@@ -2,7 +2,6 @@
 
 use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::nodes::NodeLibrary;
 
 use super::files::{check_files, graph};
 
@@ -45,13 +44,13 @@ fn what_is_ruled_out_is_known_in_the_graph_through_phenomena() {
         "roots": { "material": { "node": "m" } } }"#;
     let checked = check_files(&[("outer.json", outer), ("inner.json", inner)]);
     let graph = checked.graph.unwrap();
-    let library = NodeLibrary::standard();
+    let library = &graph.library;
     let named: Vec<(&str, &str)> = graph
         .ruled_out
         .iter()
         .map(|&(node, input)| {
             let node = &graph.nodes[node];
-            (node.name.as_str(), library.signature(node.node_type).inputs[input].name)
+            (node.name.as_str(), &*library.signature(node.node_type).inputs[input].name)
         })
         .collect();
     assert_eq!(named, [("one/m", "b"), ("two/m", "b"), ("s", "if_false")]);

@@ -69,8 +69,7 @@ fn roots_of_every_shader_type_are_kept_and_run() {
         assert_eq!(shaded(&graph, kind, &[], State::default()).0, [0.5, 0.5, 0.5, 1.0]);
         let only: &[RootKind] = &[RootKind::Material];
         let options = Options { roots: only, ..Options::default() };
-        let library = Arc::new(NodeLibrary::standard());
-        let shader = Shader::new(Arc::new(graph), library, &[], options).unwrap();
+        let shader = Shader::new(Arc::new(graph), &[], options).unwrap();
         assert_eq!(shader.has_root(kind), kind == RootKind::Material);
     }
 }
@@ -84,7 +83,7 @@ fn a_phenomenon_of_a_number_is_a_grey_shader() {
         "\"x\": { \"interface\"",
         &format!("\"{}\": {{ \"interface\"", {
             let library = NodeLibrary::standard();
-            library.signature(library.find("square_root").unwrap()).inputs[0].name
+            library.signature(library.find("square_root").unwrap()).inputs[0].name.clone()
         }),
     );
     let outer = r#"{ "phenomenon": "outer",

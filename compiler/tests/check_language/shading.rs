@@ -7,7 +7,6 @@ use phenomenon_compiler::effects::{
 };
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
 use phenomenon_compiler::values::{Literal, Texture};
 
@@ -63,14 +62,12 @@ pub fn shaded(
     values: &[(&str, Literal)],
     state: State,
 ) -> ([f32; 4], Asked) {
-    let library = Arc::new(NodeLibrary::standard());
     let values: Vec<(String, Literal)> =
         values.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
     let mut all = Vec::new();
     for engine in [Engine::Walk, Engine::Batch, Engine::Jit] {
         let options = Options { engine, ..Options::default() };
-        let shader =
-            Shader::new(Arc::new(graph.clone()), Arc::clone(&library), &values, options).unwrap();
+        let shader = Shader::new(Arc::new(graph.clone()), &values, options).unwrap();
         let mut asked = Asked::default();
         let mut results = [Shaded::default()];
         shader.shade(root, &[state], &mut asked, &mut results);

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::engine::{Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
 use phenomenon_compiler::values::{Literal, Space, Texture, Type};
 
@@ -33,8 +32,7 @@ fn strings_are_compared_before_shading() {
     assert_eq!(with("Mirror"), ([0.0, 0.0, 1.0, 1.0], 0));
     assert_eq!(with("").1, 0);
     // A new value of a parameter turns the choice.
-    let (library, options) = (Arc::new(NodeLibrary::standard()), Options::default());
-    let mut shader = Shader::new(Arc::new(graph), library, &[], options).unwrap();
+    let mut shader = Shader::new(Arc::new(graph), &[], Options::default()).unwrap();
     shader.set("finish", &Literal::String("matte".into())).unwrap();
     let mut asked = Asked::default();
     let mut results = [Shaded::default()];
@@ -67,8 +65,7 @@ fn textures_are_resolved_beside_their_file_and_read_once() {
     let state = State { uv: [f32::NAN, 0.0], ..State::default() };
     assert_eq!(shaded(&graph, RootKind::Material, &[], state).0, [0.0; 4]);
 
-    let library = Arc::new(NodeLibrary::standard());
-    let mut shader = Shader::new(Arc::new(graph), library, &[], Options::default()).unwrap();
+    let mut shader = Shader::new(Arc::new(graph), &[], Options::default()).unwrap();
     assert_eq!(shader.textures(), [wood].into());
     shader.set("paper", &Literal::Texture(None)).unwrap();
     assert!(shader.textures().is_empty());

@@ -2,7 +2,6 @@
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use phenomenon_compiler::check::{Checked, Files, check_graph_with};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity, TellOnce};
@@ -27,13 +26,8 @@ pub fn check_with_graphs(
     assets: &Assets,
 ) -> Checked {
     let scene = check_scene_with(document, folder, assets);
-    let mut graphs = Graphs {
-        library: Arc::new(library.clone()),
-        files,
-        known: HashMap::new(),
-        compiled: HashSet::new(),
-        omitted: 0,
-    };
+    let mut graphs =
+        Graphs { library, files, known: HashMap::new(), compiled: HashSet::new(), omitted: 0 };
     let mut findings = scene.findings.clone();
     findings.extend(graphs.check(&scene));
     let is_own = |finding: &Finding| finding.place.file.name == document.file.name;
@@ -48,7 +42,7 @@ pub fn check_with_graphs(
 
 /// The graphs of a scene, each read and checked once.
 struct Graphs<'a> {
-    library: Arc<NodeLibrary>,
+    library: &'a NodeLibrary,
     files: &'a dyn Files,
     /// By the one path of the file; none where it cannot be used.
     known: HashMap<PathBuf, Option<(Graph, Document)>>,
@@ -80,7 +74,7 @@ impl Graphs<'_> {
             }
             // Many objects use a graph with the same values.
             if fits && self.compiled.insert((identity, format!("{values:?}"))) {
-                let found = uncompilable(graph, &self.library, &values, document);
+                let found = uncompilable(graph, &values, document);
                 findings.extend(found.into_iter().map(|it| used_here(it, &used.material)));
             }
         }
@@ -116,7 +110,7 @@ impl Graphs<'_> {
                 return None;
             }
         };
-        let checked = check_graph_with(&document, &self.library, self.files);
+        let checked = check_graph_with(&document, self.library, self.files);
         self.omitted += checked.omitted;
         findings.extend(checked.findings.into_iter().map(|finding| used_here(finding, material)));
         checked.graph.map(|graph| (graph, document))

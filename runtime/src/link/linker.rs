@@ -15,7 +15,7 @@ use crate::scene_file::{BuildError, LightNames, MaterialSource, SceneDescription
 /// What a scene is linked with.
 pub struct Linker<'a> {
     /// The node types that graphs are made of.
-    pub library: &'a Arc<NodeLibrary>,
+    pub library: &'a NodeLibrary,
     /// What runs graphs.
     pub shading: Shading,
     /// The graph that is looked at, if there is one. Its idle roots were told of by whoever read it.

@@ -63,7 +63,7 @@ pub enum Remark<'t> {
 
 /// Makes shaders of the materials of a scene.
 pub(super) struct Materials<'a> {
-    pub(super) library: &'a Arc<NodeLibrary>,
+    pub(super) library: &'a NodeLibrary,
     pub(super) shading: Shading,
     pub(super) subject: Option<&'a Subject>,
     pub(super) changes: &'a Changes,
@@ -113,7 +113,7 @@ impl Materials<'_> {
             if matches!(self.shading, Shading::ByHand) {
                 return Err(ShowNodeError::ByHand.into());
             }
-            graph = shown_node(&graph, self.library, &node, root)?;
+            graph = shown_node(&graph, &node, root)?;
         }
         if material.source != MaterialSource::Subject && graph.root(root).is_none() {
             let place = material.place.clone();
@@ -121,7 +121,7 @@ impl Materials<'_> {
         }
         match self.shading {
             Shading::Compiled(options) => self.compiled(material, graph, &values, options),
-            Shading::ByHand => Ok(Arc::from(monoliths::of_graph(&graph, self.library, values)?)),
+            Shading::ByHand => Ok(Arc::from(monoliths::of_graph(&graph, values)?)),
         }
     }
 
@@ -154,7 +154,7 @@ impl Materials<'_> {
         let start = Instant::now();
         let options = Options { roots: CALLED_ROOTS, called_rays_only: true, ..options };
         let name = graph.name.clone();
-        let shader = Shader::new(Arc::new(graph), Arc::clone(self.library), values, options);
+        let shader = Shader::new(Arc::new(graph), values, options);
         let shader = shader.map_err(|error| {
             let error = LinkError::Compile { graph: name, error };
             self.uncompilable(material, values, error)
@@ -177,7 +177,7 @@ impl Materials<'_> {
             MaterialSource::File(path) => self.graphs.get(path).map(|it| (&it.0, &it.1)),
         };
         let Some((graph, document)) = known else { return error };
-        let findings = uncompilable(graph, self.library, values, document);
+        let findings = uncompilable(graph, values, document);
         if findings.is_empty() {
             return error;
         }

@@ -4,7 +4,6 @@ use std::fmt;
 
 use phenomenon_compiler::diagnostics::nearest;
 use phenomenon_compiler::graph::Graph;
-use phenomenon_compiler::nodes::NodeLibrary;
 
 /// `NODE[.OUTPUT]`: a node, perhaps with one of its outputs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -80,11 +79,7 @@ impl NodePath {
     ///
     /// # Errors
     /// The graph has no such node, or the node no such output.
-    pub fn find(
-        &self,
-        graph: &Graph,
-        library: &NodeLibrary,
-    ) -> Result<(usize, Option<usize>), NoSuchNode> {
+    pub fn find(&self, graph: &Graph) -> Result<(usize, Option<usize>), NoSuchNode> {
         let Self(path) = self;
         let position = |name: &str| graph.nodes.iter().position(|node| node.name == name);
         // A node's own name may hold a stop.
@@ -104,11 +99,11 @@ impl NodePath {
             return Err(NoSuchNode::Node { graph: graph.name.clone(), node: name.into(), help });
         };
         let Some(output) = output else { return Ok((node, None)) };
-        let signature = library.signature(graph.nodes[node].node_type);
+        let signature = graph.library.signature(graph.nodes[node].node_type);
         match signature.output(output) {
             Some(output) => Ok((node, Some(output))),
             None => {
-                let names = || signature.outputs.iter().map(|output| output.name);
+                let names = || signature.outputs.iter().map(|output| &*output.name);
                 let help = match nearest(output, names()) {
                     Some(near) => format!("did you mean `{name}.{}`?", near.name),
                     None => format!("its outputs are {}", some_of(names())),

@@ -1,7 +1,6 @@
 //! Graphs with one of their nodes to be looked at.
 
 use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::nodes::NodeLibrary;
 
 use super::error::ShowNodeError;
 use super::node_path::NodePath;
@@ -10,16 +9,10 @@ use super::node_path::NodePath;
 ///
 /// # Errors
 /// There is no such node, or it has no value to look at.
-pub fn shown_node(
-    graph: &Graph,
-    library: &NodeLibrary,
-    path: &NodePath,
-    root: RootKind,
-) -> Result<Graph, ShowNodeError> {
-    let (node, output) = path
-        .find(graph, library)
-        .map_err(|error| ShowNodeError::Missing { path: path.clone(), error })?;
-    let mut shown = graph.with_root(library, node, output.unwrap_or(0))?;
+pub fn shown_node(graph: &Graph, path: &NodePath, root: RootKind) -> Result<Graph, ShowNodeError> {
+    let (node, output) =
+        path.find(graph).map_err(|error| ShowNodeError::Missing { path: path.clone(), error })?;
+    let mut shown = graph.with_root(node, output.unwrap_or(0))?;
     if root != RootKind::Material
         && let Some(mut looked_at) = shown.roots.pop()
     {

@@ -6,14 +6,12 @@ use phenomenon_compiler::diagnostics::{Code, Finding, Place};
 use phenomenon_compiler::document::Document;
 use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
 use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::specialise::SpecialiseError;
 use phenomenon_compiler::values::Literal;
 
 /// Why a graph cannot be compiled with these values, as findings in its file.
 pub fn uncompilable(
     graph: &Graph,
-    library: &Arc<NodeLibrary>,
     values: &[(String, Literal)],
     document: &Document,
 ) -> Vec<Finding> {
@@ -21,7 +19,7 @@ pub fn uncompilable(
         // Every engine starts from what the walk runs.
         let kinds: &'static [RootKind] = &RootKind::ALL;
         let options = Options { engine: Engine::Walk, roots: kinds, ..Options::default() };
-        Shader::new(Arc::new(graph), Arc::clone(library), values, options)
+        Shader::new(Arc::new(graph), values, options)
     };
     if compiled(graph.clone()).is_ok() {
         return Vec::new();

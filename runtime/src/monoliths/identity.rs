@@ -40,8 +40,8 @@ pub enum NotWrittenByHand {
 ///
 /// # Errors
 /// There is no such monolith.
-pub fn recognise(graph: &Graph, library: &NodeLibrary) -> Result<&'static str, NotWrittenByHand> {
-    let own = Content::of(graph, library);
+pub fn recognise(graph: &Graph) -> Result<&'static str, NotWrittenByHand> {
+    let own = Content::of(graph);
     let shipped = shipped();
     if let Some((name, _)) = shipped.iter().find(|(_, content)| *content == own) {
         return Ok(name);
@@ -62,7 +62,7 @@ fn shipped() -> &'static [(&'static str, Content)] {
         let contents = SHIPPED.iter().filter_map(|(name, text)| {
             let document = read(name, text.as_bytes()).ok()?;
             let graph = check_graph(&document, &library).graph?;
-            Some((*name, Content::of(&graph, &library)))
+            Some((*name, Content::of(&graph)))
         });
         contents.collect()
     })
@@ -80,7 +80,7 @@ struct Content {
 }
 
 impl Content {
-    fn of(graph: &Graph, library: &NodeLibrary) -> Self {
+    fn of(graph: &Graph) -> Self {
         let binding = |binding: &Binding| match binding {
             Binding::Default => "default".to_owned(),
             // Debug shows every digit a number has, and the sign of zero.
@@ -90,7 +90,7 @@ impl Content {
                 format!("output {output} of node {}", graph.nodes[*node].name)
             }
         };
-        let type_name = |node_type: NodeType| library.signature(node_type).name;
+        let type_name = |node_type: NodeType| &graph.library.signature(node_type).name;
         Self {
             parameters: graph
                 .parameters
@@ -149,7 +149,7 @@ mod tests {
         let library = NodeLibrary::standard();
         let checked = check_graph(&read("a.json", text.as_bytes()).unwrap(), &library);
         let graph = checked.graph.unwrap_or_else(|| panic!("{:?}", checked.findings));
-        recognise(&graph, &library).map_err(|error| error.to_string())
+        recognise(&graph).map_err(|error| error.to_string())
     }
 
     fn shipped_text(name: &str) -> &'static str {

@@ -4,7 +4,6 @@ use std::collections::HashSet;
 
 use phenomenon_compiler::engine::Shade;
 use phenomenon_compiler::graph::Graph;
-use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::values::Literal;
 
 use super::identity::{NotWrittenByHand, recognise};
@@ -28,10 +27,9 @@ pub enum NoMonolith {
 /// There is none, or it does not take these values.
 pub fn of_graph(
     graph: &Graph,
-    library: &NodeLibrary,
     mut values: Vec<(String, Literal)>,
 ) -> Result<Box<dyn Shade>, NoMonolith> {
-    let name = recognise(graph, library)?;
+    let name = recognise(graph)?;
     let given: HashSet<String> = values.iter().map(|(name, _)| name.clone()).collect();
     let defaults = graph.parameters.iter().filter(|of| !given.contains(&of.name));
     values.extend(defaults.map(|of| (of.name.clone(), of.default.clone())));

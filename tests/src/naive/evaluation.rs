@@ -48,7 +48,7 @@ fn declared(outputs: &[Output], effect: Effect, answer: &[u32]) -> Vec<u32> {
     let mut words = Vec::new();
     for output in outputs {
         let mut first = 0;
-        for part in effect.answers().iter().take_while(|part| part.name != output.name) {
+        for part in effect.answers().iter().take_while(|part| output.name != part.name) {
             first += part.value_type.width();
         }
         words.extend(&answer[first..first + output.value_type.width()]);

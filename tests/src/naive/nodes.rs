@@ -24,7 +24,8 @@ pub struct TooLong;
 
 impl<'a> Naive<'a> {
     /// With values for parameters, of their types.
-    pub fn new(graph: &'a Graph, library: &'a NodeLibrary, values: &[(String, Literal)]) -> Self {
+    pub fn new(graph: &'a Graph, values: &[(String, Literal)]) -> Self {
+        let library = &graph.library;
         let mut parameters: Vec<Literal> =
             graph.parameters.iter().map(|parameter| parameter.default.clone()).collect();
         for (name, value) in values {

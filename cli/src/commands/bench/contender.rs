@@ -7,7 +7,6 @@ use cpu_time::ThreadTime;
 use phenomenon_compiler::effects::NoScene;
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
 
 use super::statistics::{median, spread};
@@ -45,12 +44,11 @@ impl Points {
 /// The engine does not run here.
 pub fn compiled(
     graph: &Arc<Graph>,
-    library: &Arc<NodeLibrary>,
     engine: Engine,
     batch: usize,
 ) -> Result<Box<dyn Shade>, Failure> {
     let options = Options { engine, batch, ..Options::default() };
-    let shader = Shader::new(Arc::clone(graph), Arc::clone(library), &[], options);
+    let shader = Shader::new(Arc::clone(graph), &[], options);
     shader.map(|shader| Box::new(shader) as Box<dyn Shade>).map_err(|error| Failure::new(error, ""))
 }
 

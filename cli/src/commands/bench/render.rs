@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use clap::{Args, ValueHint};
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -77,7 +76,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let folder = arguments.output.as_deref();
     let results = folder.map(|folder| Results::new(folder, "render")).transpose()?;
-    let library = Arc::new(NodeLibrary::standard());
+    let library = NodeLibrary::standard();
     let mut contenders = Vec::new();
     for engine in ENGINES {
         let run = EngineArguments {

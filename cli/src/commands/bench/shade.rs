@@ -62,7 +62,7 @@ struct Race {
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let folder = arguments.output.as_deref();
     let results = folder.map(|folder| Results::new(folder, "shade")).transpose()?;
-    let library = Arc::new(NodeLibrary::standard());
+    let library = NodeLibrary::standard();
     let engines = engines(&library)?;
     let mut points = Points::new();
     let mut races = Vec::new();
@@ -92,10 +92,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 }
 
 /// The engines that run here: not every machine has the jit.
-fn engines(library: &Arc<NodeLibrary>) -> Result<Vec<EngineChoice>, Failure> {
+fn engines(library: &NodeLibrary) -> Result<Vec<EngineChoice>, Failure> {
     let graph = Arc::new(Workload::Ten.graph(library)?);
     let mut engines = ENGINES.to_vec();
-    if let Err(failure) = compiled(&graph, library, Engine::Jit, 1) {
+    if let Err(failure) = compiled(&graph, Engine::Jit, 1) {
         terminal::tell(&format!("without jit: {failure}"));
         engines.retain(|engine| *engine != EngineChoice::Jit);
     }
@@ -106,14 +106,14 @@ fn race(
     workload: Workload,
     batch: usize,
     engines: &[EngineChoice],
-    library: &Arc<NodeLibrary>,
+    library: &NodeLibrary,
     points: &mut Points,
 ) -> Result<Race, Failure> {
     let graph = Arc::new(workload.graph(library)?);
     let mut contenders = Vec::new();
     for &engine in engines {
         let shader = match engine.compiled() {
-            Some(engine) => compiled(&graph, library, engine, batch)?,
+            Some(engine) => compiled(&graph, engine, batch)?,
             None => workload.by_hand(),
         };
         contenders.push(Contender::new(engine, shader, batch, points));

@@ -1,7 +1,6 @@
 //! The arguments of the command, and what it does.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use phenomenon_compiler::check::{Checked, Files, OnDisk, check_graph_with};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity, TellOnce};
@@ -61,7 +60,7 @@ counted.";
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let library = Arc::new(NodeLibrary::standard());
+    let library = NodeLibrary::standard();
     let mut findings = Vec::new();
     let mut omitted = 0;
     let mut once = TellOnce::default();
@@ -128,7 +127,7 @@ fn tell_passed_over(foreign: usize) {
 fn fix(
     input: &Input,
     checked: Checked,
-    library: &Arc<NodeLibrary>,
+    library: &NodeLibrary,
     files: &dyn Files,
     diff: bool,
 ) -> Result<Checked, Failure> {
@@ -160,7 +159,7 @@ fn fix(
 fn check_read(
     document: Result<Document, Box<Finding>>,
     input: &Input,
-    library: &Arc<NodeLibrary>,
+    library: &NodeLibrary,
     files: &dyn Files,
 ) -> Option<Checked> {
     match document {
@@ -172,7 +171,7 @@ fn check_read(
         Ok(document) => {
             let mut checked = check_graph_with(&document, library, files);
             if let Some(graph) = &checked.graph {
-                checked.findings.extend(uncompilable(graph, library, &[], &document));
+                checked.findings.extend(uncompilable(graph, &[], &document));
             }
             Some(checked)
         }

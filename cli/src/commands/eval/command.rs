@@ -1,7 +1,6 @@
 //! The arguments of the command, and what it does.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
@@ -83,16 +82,11 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     // One point is soon shaded by kernels; code that comes later would only be thrown away.
     let engine = if arguments.engine.engine == EngineChoice::Auto { Engine::Batch } else { engine };
     let (state, notes) = state_fields::state(&arguments.state)?;
-    let library = Arc::new(NodeLibrary::standard());
-    let graph = Told { allow: &arguments.allow }.read(&arguments.graph, &library)?;
+    let graph =
+        Told { allow: &arguments.allow }.read(&arguments.graph, &NodeLibrary::standard())?;
     let values = graphs::bind(&graph, &arguments.set)?;
     notes.iter().for_each(|note| terminal::tell(note));
-    let point = Point {
-        library: &library,
-        values: &values,
-        options: arguments.engine.options(engine),
-        state,
-    };
+    let point = Point { values: &values, options: arguments.engine.options(engine), state };
     let evaluation = match &arguments.node {
         Some(path) => point.node(&graph, path)?,
         None => point.root(&graph, arguments.root)?,

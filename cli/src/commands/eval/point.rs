@@ -1,10 +1,7 @@
 //! One point at which a graph is evaluated.
 
-use std::sync::Arc;
-
 use phenomenon_compiler::engine::{Options, Shade, Shaded};
 use phenomenon_compiler::graph::{Binding, Graph, RootKind};
-use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
 use phenomenon_compiler::values::Literal;
 use phenomenon_runtime::link::{NodePath, ShowNodeError};
@@ -16,8 +13,6 @@ use crate::graphs;
 
 /// What a graph is evaluated with.
 pub struct Point<'a> {
-    /// The node types it is made of.
-    pub library: &'a Arc<NodeLibrary>,
     /// Values for its parameters.
     pub values: &'a [(String, Literal)],
     /// What runs it.
@@ -57,22 +52,21 @@ impl Point<'_> {
     /// # Errors
     /// The graph has no such node, it has no value, or it cannot be run.
     pub fn node(&self, graph: &Graph, path: &NodePath) -> Result<Evaluation, Failure> {
-        let (node, output) = path.find(graph, self.library).map_err(|error| {
+        let (node, output) = path.find(graph).map_err(|error| {
             graphs::not_shown(&ShowNodeError::Missing { path: path.clone(), error })
         })?;
-        let signature = self.library.signature(graph.nodes[node].node_type);
+        let signature = graph.library.signature(graph.nodes[node].node_type);
         let outputs = match output {
             Some(output) => output..output + 1,
             None => 0..signature.outputs.len(),
         };
         let mut evaluation = Evaluation::default();
         for output in outputs {
-            let mut alone = graph
-                .with_root(self.library, node, output)
-                .map_err(|error| graphs::not_shown(&error.into()))?;
+            let mut alone =
+                graph.with_root(node, output).map_err(|error| graphs::not_shown(&error.into()))?;
             alone.roots.retain(|root| root.kind == RootKind::Material);
             let shaded = self.shade(alone, RootKind::Material)?;
-            let value_type = graph.output_type(self.library, node, output);
+            let value_type = graph.output_type(node, output);
             evaluation.add(self.name(graph, node, output), value_type, shaded.color);
         }
         Ok(evaluation)
@@ -80,12 +74,12 @@ impl Point<'_> {
 
     fn name(&self, graph: &Graph, node: usize, output: usize) -> String {
         let node = &graph.nodes[node];
-        let outputs = &self.library.signature(node.node_type).outputs;
+        let outputs = &graph.library.signature(node.node_type).outputs;
         format!("{}.{}", node.name, outputs[output].name)
     }
 
     fn shade(&self, graph: Graph, kind: RootKind) -> Result<Shaded, Failure> {
-        let shader = graphs::compile(graph, self.library, self.values, self.options)?;
+        let shader = graphs::compile(graph, self.values, self.options)?;
         let mut results = [Shaded::default()];
         let mut scene = EmptyScene::new(&shader.textures())
             .map_err(|error| Failure::new(error, "mend the file, or name another"))?;

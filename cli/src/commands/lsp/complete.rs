@@ -59,7 +59,7 @@ pub fn complete(
         (["roots"], true) => words(&RootKind::ALL.map(RootKind::name)),
         (["nodes", _, "type"], false) => {
             let signatures = library.iter().map(|(_, definition)| &definition.signature);
-            signatures.map(|it| item(it.name, CLASS, it.group, &it.doc)).collect()
+            signatures.map(|it| item(&it.name, CLASS, it.group, &it.doc)).collect()
         }
         (["nodes", name, "inputs"], true) => {
             let written = cursor.around.get(2).and_then(|node| node.get("type"));

@@ -54,7 +54,7 @@ pub fn parts_of(
 
 fn of_signature(signature: &Signature) -> Parts {
     let of_input = |input: &Input| Part {
-        name: input.name.into(),
+        name: input.name.to_string(),
         of: input.value_type.name().into(),
         doc: if !input.choices.is_empty() {
             format!("{}\n\nOne of `{}`", input.doc, input.choices.join("`, `"))
@@ -66,7 +66,7 @@ fn of_signature(signature: &Signature) -> Parts {
         choices: input.choices.iter().map(|&choice| choice.to_owned()).collect(),
     };
     let outputs = signature.outputs.iter().map(|output| Part {
-        name: output.name.into(),
+        name: output.name.to_string(),
         of: output.value_type.name().into(),
         doc: output.doc.clone(),
         choices: Vec::new(),

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use phenomenon_compiler::diagnostics::nearest;
-use phenomenon_compiler::nodes::{GROUPS, NodeLibrary, Signature};
+use phenomenon_compiler::nodes::{NodeLibrary, Signature};
 
 use super::groups::{Group, grouped};
 use super::{human, json, search};
@@ -73,11 +73,12 @@ fn subject<'l>(library: &'l NodeLibrary, name: Option<&str>) -> Result<Subject<'
     if let Some(node) = library.find(name) {
         return Ok(Subject::Node(library.signature(node)));
     }
-    if GROUPS.iter().any(|(group, _)| *group == name) {
+    let groups = library.groups().iter().map(|group| group.name);
+    if groups.clone().any(|group| group == name) {
         return Ok(Subject::Groups(grouped(library, Some(name))));
     }
-    let names = library.iter().map(|(_, definition)| definition.signature.name);
-    let help = match nearest(name, names.chain(GROUPS.iter().map(|(group, _)| *group))) {
+    let names = library.iter().map(|(_, definition)| &*definition.signature.name);
+    let help = match nearest(name, names.chain(groups)) {
         Some(near) => near.help(),
         None => "`phenomenon nodes` lists all there are".into(),
     };

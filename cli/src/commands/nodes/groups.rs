@@ -1,6 +1,6 @@
 //! Nodes by their groups.
 
-use phenomenon_compiler::nodes::{GROUPS, NodeLibrary, Signature};
+use phenomenon_compiler::nodes::{NodeLibrary, Signature};
 
 /// A group with its nodes, in the order of the list.
 pub struct Group<'l> {
@@ -18,10 +18,10 @@ pub fn grouped<'l>(library: &'l NodeLibrary, only: Option<&str>) -> Vec<Group<'l
         let signatures = library.iter().map(|(_, definition)| &definition.signature);
         signatures.filter(|signature| signature.group == group).collect()
     };
-    GROUPS
-        .iter()
-        .filter(|(name, _)| only.is_none_or(|only| only == *name))
-        .map(|(name, doc)| Group { name, doc: doc.trim(), nodes: of_group(name) })
+    let groups = library.groups().iter();
+    let wanted = groups.filter(|group| only.is_none_or(|only| only == group.name));
+    wanted
+        .map(|group| Group { name: group.name, doc: group.doc, nodes: of_group(group.name) })
         .collect()
 }
 

@@ -70,8 +70,8 @@ pub fn node(node: &Signature) -> String {
 
 fn signature(node: &Signature) -> String {
     let list = |names: Vec<&str>| names.join(", ");
-    let inputs = list(node.inputs.iter().map(|input| input.name).collect());
-    let outputs = list(node.outputs.iter().map(|output| output.name).collect());
+    let inputs = list(node.inputs.iter().map(|input| &*input.name).collect());
+    let outputs = list(node.outputs.iter().map(|output| &*output.name).collect());
     format!("{}({inputs}) -> {outputs}", node.name)
 }
 

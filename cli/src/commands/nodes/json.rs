@@ -33,7 +33,7 @@ pub fn node(node: &Signature) -> String {
 
 fn described(node: &Signature) -> Value {
     let mut object = Map::new();
-    object.insert("name".into(), node.name.into());
+    object.insert("name".into(), (*node.name).into());
     object.insert("group".into(), node.group.into());
     object.insert("doc".into(), node.doc.as_str().into());
     object.insert("source".into(), node.source.into());
@@ -53,7 +53,7 @@ fn described(node: &Signature) -> Value {
 }
 
 fn input(input: &Input) -> Value {
-    let mut object = socket(input.name, &input.doc, input.value_type);
+    let mut object = socket(&input.name, &input.doc, input.value_type);
     let default = match &input.default {
         DefaultValue::Required => None,
         DefaultValue::Literal(literal) => Some(value(literal)),
@@ -78,7 +78,7 @@ fn input(input: &Input) -> Value {
 }
 
 fn output(output: &Output) -> Value {
-    let mut object = socket(output.name, &output.doc, output.value_type);
+    let mut object = socket(&output.name, &output.doc, output.value_type);
     insert_range(&mut object, output.value_type, *output.range.start(), *output.range.end());
     Value::Object(object)
 }

@@ -1,7 +1,6 @@
 //! The arguments of the command, and what it does.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::time::Instant;
 
 use clap::{Args, ValueHint};
@@ -119,7 +118,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let stats = arguments.stats.as_deref().map(|path| Output { flag: "--stats", path });
     let outputs: Vec<Output<'_>> = std::iter::once(picture_file).chain(stats).collect();
     outputs.iter().try_for_each(|output| output.require_writable())?;
-    let library = Arc::new(NodeLibrary::standard());
+    let library = NodeLibrary::standard();
     let flags = Flags {
         set: &arguments.set,
         node: arguments.node.as_ref(),

@@ -14,17 +14,16 @@ use crate::show::layout::{Layout, Place, layout};
 use crate::show::{MAX_BOXES, ShowError, build, draw_dot, draw_svg, svg, theme};
 use crate::values::Literal;
 
-fn laid_out<'a>(graph: &'a Graph, library: &'a NodeLibrary) -> (Diagram<'a>, Layout) {
-    let diagram = build::diagram(graph, library, usize::MAX).expect("it is consistent");
+fn laid_out(graph: &Graph) -> (Diagram<'_>, Layout) {
+    let diagram = build::diagram(graph, usize::MAX).expect("it is consistent");
     let layout = layout(&diagram).expect("it has no cycle");
     (diagram, layout)
 }
 
 #[test]
 fn a_small_graph_shows_all_its_marks() {
-    let library = NodeLibrary::standard();
-    let graph = small(&library);
-    let (diagram, layout) = laid_out(&graph, &library);
+    let graph = small();
+    let (diagram, layout) = laid_out(&graph);
     assert_eq!(faults(&diagram, &layout), Vec::<String>::new());
     let svg = svg::write(&diagram, &layout);
     parse(&svg).expect("well formed");
@@ -58,8 +57,7 @@ fn a_small_graph_shows_all_its_marks() {
 
 #[test]
 fn dot_says_the_same_as_the_drawing() {
-    let library = NodeLibrary::standard();
-    let dot = draw_dot(&small(&library), &library).expect("it is consistent");
+    let dot = draw_dot(&small()).expect("it is consistent");
     for line in [
         "digraph \"small\" {",
         "n0:o0:e -> n1:i3:w [color=\"#e0a800\", style=dashed];",
@@ -74,9 +72,8 @@ fn dot_says_the_same_as_the_drawing() {
 
 #[test]
 fn what_constants_rule_out_is_marked_as_the_checker_says() {
-    let library = NodeLibrary::standard();
-    let graph = ruled_out(&library);
-    let (diagram, layout) = laid_out(&graph, &library);
+    let graph = ruled_out();
+    let (diagram, layout) = laid_out(&graph);
     // A parameter that is 0 by default may be bound to another value: it rules nothing out.
     let dead: Vec<_> =
         diagram.cards.iter().filter_map(|card| card.dead.map(|dead| (card.title, dead))).collect();
@@ -105,7 +102,7 @@ fn what_constants_rule_out_is_marked_as_the_checker_says() {
     ] {
         assert!(svg.contains(text), "{text} is missing in\n{svg}");
     }
-    let dot = draw_dot(&graph, &library).expect("it is consistent");
+    let dot = draw_dot(&graph).expect("it is consistent");
     for text in
         ["n0:o0:e -> n3:i2:w [color=\"#e0a800\", style=dotted, arrowhead=tee];", "lambert [light]"]
     {
@@ -115,7 +112,6 @@ fn what_constants_rule_out_is_marked_as_the_checker_says() {
 
 #[test]
 fn hostile_names_stay_text() {
-    let library = NodeLibrary::standard();
     let names = [
         "<&\"'>]]>",
         "</text><script>alert(1)</script>",
@@ -128,17 +124,17 @@ fn hostile_names_stay_text() {
     let mut graph = empty(names[0]);
     for name in names {
         graph.parameters.push(Parameter::new(name, Literal::Lights(vec![name.into(); 3])));
-        graph.nodes.push(node(&library, "trace_reflection", name, &[]));
+        graph.nodes.push(node(&NodeLibrary::standard(), "trace_reflection", name, &[]));
     }
     graph.name = names.concat();
     graph.roots = vec![root(RootKind::Material, from(0, 0))];
-    let svg = draw_svg(&graph, &library).expect("it is consistent");
+    let svg = draw_svg(&graph).expect("it is consistent");
     parse(&svg).expect("well formed");
     assert!(!svg.contains("<script"));
-    let (diagram, layout) = laid_out(&graph, &library);
+    let (diagram, layout) = laid_out(&graph);
     assert_eq!(faults(&diagram, &layout), Vec::<String>::new());
     assert!(layout.frames.iter().all(|frame| frame.width <= 400.0), "boxes stay boxes");
-    let dot = draw_dot(&graph, &library).expect("it is consistent");
+    let dot = draw_dot(&graph).expect("it is consistent");
     assert_eq!(
         dot.matches("digraph x").count(),
         dot.matches("\\\"; } digraph x").count() + dot.matches("&quot;; } digraph x").count()
@@ -147,11 +143,10 @@ fn hostile_names_stay_text() {
 
 #[test]
 fn text_ends_before_the_side_of_its_box() {
-    let library = NodeLibrary::standard();
     let mut graph = empty("wide");
-    graph.nodes.push(node(&library, "trace_reflection", &"W".repeat(80), &[]));
+    graph.nodes.push(node(&NodeLibrary::standard(), "trace_reflection", &"W".repeat(80), &[]));
     graph.roots = vec![root(RootKind::Material, from(0, 0))];
-    let (diagram, layout) = laid_out(&graph, &library);
+    let (diagram, layout) = laid_out(&graph);
     let svg = svg::write(&diagram, &layout);
     let title = theme::TITLE;
     let shown = svg.split("font-weight=\"700\"").filter_map(|text| {
@@ -164,45 +159,39 @@ fn text_ends_before_the_side_of_its_box() {
 
 #[test]
 fn an_empty_graph_is_a_drawing_too() {
-    let library = NodeLibrary::standard();
-    parse(&draw_svg(&empty(""), &library).expect("nothing to go wrong")).expect("well formed");
+    parse(&draw_svg(&empty("")).expect("nothing to go wrong")).expect("well formed");
     let mut graph = empty("constant");
     graph.roots = vec![root(RootKind::Material, Binding::Literal(Literal::Color([f32::NAN; 4])))];
-    parse(&draw_svg(&graph, &library).expect("nothing to go wrong")).expect("well formed");
+    parse(&draw_svg(&graph).expect("nothing to go wrong")).expect("well formed");
 }
 
 #[test]
 fn long_chains_are_drawn_quickly_and_without_recursion() {
-    let library = NodeLibrary::standard();
-    let graph = chain(&library, 3_000);
+    let graph = chain(3_000);
     let start = Instant::now();
-    let (diagram, layout) = laid_out(&graph, &library);
+    let (diagram, layout) = laid_out(&graph);
     parse(&svg::write(&diagram, &layout)).expect("well formed");
     assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
     let level = |track: &[Place]| track.iter().all(|at| (at.y - track[0].y).abs() < 0.05);
     let of_nodes = diagram.wires.iter().zip(&layout.tracks).filter(|(wire, _)| wire.from.0 > 0);
     let steps = of_nodes.filter(|(_, track)| !level(track)).count();
     assert!(steps <= 3, "a chain is a line, but for {steps} steps");
-    let graph = chain(&library, 50_000);
-    assert_eq!(
-        draw_svg(&graph, &library),
-        Err(ShowError::TooManyBoxes { boxes: 50_002, limit: MAX_BOXES })
-    );
-    assert!(draw_dot(&graph, &library).is_ok());
+    let graph = chain(50_000);
+    assert_eq!(draw_svg(&graph), Err(ShowError::TooManyBoxes { boxes: 50_002, limit: MAX_BOXES }));
+    assert!(draw_dot(&graph).is_ok());
 }
 
 #[test]
 fn a_graph_that_was_not_checked_is_refused() {
-    let library = NodeLibrary::standard();
     let refused = |change: fn(&mut Graph), problem: &str| {
-        let mut graph = small(&library);
+        let mut graph = small();
         change(&mut graph);
-        for error in [draw_svg(&graph, &library).err(), draw_dot(&graph, &library).err()] {
+        for error in [draw_svg(&graph).err(), draw_dot(&graph).err()] {
             // DOT needs no order, so that it can show a cycle.
             let text = error.map(|error| error.to_string());
             assert!(text.is_none_or(|text| text.contains(problem)), "{problem}");
         }
-        assert!(draw_svg(&graph, &library).is_err(), "{problem}");
+        assert!(draw_svg(&graph).is_err(), "{problem}");
     };
     refused(|graph| graph.nodes[0].node_type = NodeType(usize::MAX), "type is unknown");
     refused(|graph| graph.nodes[0].inputs.clear(), "inputs are not those");
@@ -230,11 +219,10 @@ proptest! {
 
     #[test]
     fn nothing_overlaps_and_every_wire_ends_at_its_sockets(graph in random_graph()) {
-        let library = NodeLibrary::standard();
-        let (diagram, layout) = laid_out(&graph, &library);
+        let (diagram, layout) = laid_out(&graph);
         prop_assert_eq!(faults(&diagram, &layout), Vec::<String>::new());
         let svg = svg::write(&diagram, &layout);
         prop_assert!(parse(&svg).is_ok());
-        prop_assert_eq!(svg, draw_svg(&graph, &library).unwrap(), "the same bytes each time");
+        prop_assert_eq!(svg, draw_svg(&graph).unwrap(), "the same bytes each time");
     }
 }

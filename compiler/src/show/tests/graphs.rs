@@ -7,7 +7,8 @@ use crate::nodes::NodeLibrary;
 use crate::values::{Literal, Type};
 
 pub fn empty(name: &str) -> Graph {
-    Graph { name: name.into(), version: 1, ..Graph::default() }
+    let library = NodeLibrary::standard();
+    Graph { library, name: name.into(), version: 1, ..Graph::default() }
 }
 
 pub fn node(library: &NodeLibrary, node_type: &str, name: &str, given: &[(&str, Binding)]) -> Node {
@@ -29,8 +30,9 @@ pub fn root(kind: RootKind, color: Binding) -> Root {
 }
 
 /// A mirror in a scope, mixed with a parameter, and a node nothing reaches.
-pub fn small(library: &NodeLibrary) -> Graph {
+pub fn small() -> Graph {
     let mut graph = empty("small");
+    let library = &graph.library.clone();
     graph.parameters = vec![
         Parameter::new("tint", Literal::Color([0.9, 0.7, 0.4, 1.0])),
         Parameter::new("unused", Literal::Scalar(1.0)),
@@ -61,8 +63,9 @@ pub fn color_overload(library: &NodeLibrary, name: &str) -> usize {
         .expect("a colour form")
 }
 
-pub fn chain(library: &NodeLibrary, length: usize) -> Graph {
+pub fn chain(length: usize) -> Graph {
     let mut graph = empty("chain");
+    let library = &graph.library.clone();
     graph.parameters = vec![Parameter::new("step", Literal::Scalar(0.5))];
     for at in 0..length {
         let before = at.checked_sub(1).map_or(Binding::Default, |before| from(before, 0));
@@ -75,8 +78,9 @@ pub fn chain(library: &NodeLibrary, length: usize) -> Graph {
 
 /// A mix of weight 0 that never asks for its mirror; the other half is a lambert turned away from
 /// its light, which asks neither the light nor its colour.
-pub fn ruled_out(library: &NodeLibrary) -> Graph {
+pub fn ruled_out() -> Graph {
     let mut graph = empty("ruled_out");
+    let library = &graph.library.clone();
     graph.parameters = vec![
         Parameter::new("tint", Literal::Color([0.9, 0.7, 0.4, 1.0])),
         Parameter::new("share", Literal::Scalar(0.0)),
@@ -126,9 +130,9 @@ pub fn random_graph() -> impl Strategy<Value = Graph> {
     let picks =
         prop::collection::vec((0..5_usize, prop::collection::vec(0..1_000_usize, 6)), 1..60);
     (picks, 0..6_usize).prop_map(|(picks, parameters)| {
-        let library = NodeLibrary::standard();
         let types = ["mix", "add", "trace_reflection", "perturb_normal", "light_loop"];
         let mut graph = empty("random");
+        let library = graph.library.clone();
         for at in 0..parameters {
             graph.parameters.push(Parameter::new(format!("p{at}"), Literal::Scalar(at as f32)));
         }

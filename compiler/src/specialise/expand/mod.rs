@@ -9,7 +9,6 @@ use std::collections::HashMap;
 use cranelift_entity::PrimaryMap;
 
 use crate::graph::{Graph, Root};
-use crate::nodes::NodeLibrary;
 use crate::state::{FieldSet, RayType};
 use crate::storage::Source;
 use crate::values::Literal;
@@ -30,12 +29,11 @@ pub const MAX_NESTED_LOOPS: usize = 4;
 /// Specialises `graph` for a root of it, a ray type, and the values of its parameters.
 pub fn expand(
     graph: &Graph,
-    library: &NodeLibrary,
     root: &Root,
     ray_type: RayType,
     values: &[Literal],
 ) -> Result<Specialised, SpecialiseError> {
-    let views = Views::new(graph, library, root)?;
+    let views = Views::new(graph, root)?;
     let reads = reads(&views)?;
     let mut builder = Builder {
         views: &views,

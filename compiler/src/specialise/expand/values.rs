@@ -61,7 +61,7 @@ impl Builder<'_> {
                 Ok(number)
             }
             _ => {
-                let (name, range) = (declared.name, &declared.range);
+                let (name, range) = (&declared.name, &declared.range);
                 let problem = format!("input `{name}` must be a known number in {range:?}");
                 Err(inconsistent(self.views.name(view), &problem))
             }

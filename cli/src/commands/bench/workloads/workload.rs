@@ -108,11 +108,11 @@ mod tests {
 
     #[test]
     fn what_is_written_by_hand_computes_the_same() {
-        let library = Arc::new(NodeLibrary::standard());
+        let library = NodeLibrary::standard();
         for workload in Workload::ALL {
             let graph = Arc::new(workload.graph(&library).unwrap());
             let options = Options { engine: Engine::Walk, ..Options::default() };
-            let shader = Shader::new(graph, Arc::clone(&library), &[], options).unwrap();
+            let shader = Shader::new(graph, &[], options).unwrap();
             let (walk, by_hand) = (colors(&shader, 256), colors(workload.by_hand().as_ref(), 16));
             for (point, (a, b)) in walk.iter().zip(&by_hand).enumerate() {
                 for (x, y) in a.iter().zip(b) {
