@@ -66,6 +66,9 @@ struct Compiled {
 #[derive(Debug)]
 struct RootCode {
     specialised: Specialised,
+    /// For the walk.
+    walk: Option<walk::Code>,
+    /// For the other engines.
     schedule: Option<Schedule>,
     plan: OnceLock<Option<Plan>>,
 }
@@ -202,9 +205,10 @@ impl Shader {
     fn compile_root(&self, root: &Root, ray_type: RayType) -> Result<Compiled, ShaderError> {
         let specialised = expand(&self.graph, root, ray_type, &self.values)?;
         let uniforms = specialised.uniforms.clone();
-        let engine = self.options.engine;
+        let Options { engine, simd, .. } = self.options;
+        let walk = (engine == Engine::Walk).then(|| walk::Code::new(&specialised, simd));
         let schedule = (engine != Engine::Walk).then(|| schedule(&specialised));
-        let code = Arc::new(RootCode { specialised, schedule, plan: OnceLock::new() });
+        let code = Arc::new(RootCode { specialised, walk, schedule, plan: OnceLock::new() });
         match engine {
             Engine::Jit => {
                 if let Some(plan) = code.plan(self.options.simd, self.options.batch)? {
@@ -265,21 +269,20 @@ impl Shade for Shader {
             results.fill(Shaded::default());
             return;
         };
-        let RootCode { specialised, schedule, plan } = &*program.code;
-        let simd = self.options.simd;
-        let Some(schedule) = schedule else {
+        let RootCode { walk, schedule, plan, .. } = &*program.code;
+        let uniforms = program.uniforms.values();
+        if let Some(walk) = walk {
             self.counts.walk.fetch_add(points.len() as u64, Ordering::Relaxed);
-            return with_memory(|memory| {
-                let values = program.uniforms.values();
-                walk::walk(specialised, values, simd, points, renderer, results, &mut memory.walk);
+            with_memory(|memory| {
+                walk.run(uniforms, points, renderer, results, &mut memory.walk);
             });
-        };
+        }
+        let Some(schedule) = schedule else { return };
         let (runner, count) = match plan.get() {
             Some(Some(plan)) => (Runner::Jit(plan), &self.counts.jit),
-            _ => (Runner::Kernels(simd), &self.counts.batch),
+            _ => (Runner::Kernels(self.options.simd), &self.counts.batch),
         };
         count.fetch_add(points.len() as u64, Ordering::Relaxed);
-        let uniforms = program.uniforms.values();
         let program = Program { schedule, uniforms, runner, batch: self.options.batch };
         with_memory(|memory| program.run(points, renderer, results, &mut memory.batch));
     }

@@ -1,0 +1,46 @@
+//! Requests of a point.
+
+use super::code::{Request, Step};
+use super::memory::Memory;
+use super::run::Walk;
+use crate::engine::requests::Question;
+use crate::specialise::Subject;
+use crate::state::State;
+
+impl Walk<'_> {
+    /// Asks the renderer, or takes what is known of a light sample.
+    pub(super) fn request(&mut self, request: &Request, step: &Step, state: &State) {
+        let code = self.code;
+        let answer = step.output as usize..(step.output + step.outputs) as usize;
+        let (sample, token) = match request.subject {
+            Subject::Light { of, .. } => {
+                let position = &self.memory.loops[of];
+                let kept = |(table, epoch)| (table, position.turn(), self.memory.pass[epoch]);
+                (request.kept.map(kept), Some(position.token))
+            }
+            Subject::Point | Subject::Texture(_) => (None, None),
+        };
+        if let Some((table, turn, pass)) = sample {
+            let Memory { tables, words, .. } = &mut *self.memory;
+            if let Some(known) = tables[table].known(turn, pass, answer.len()) {
+                return words[answer].copy_from_slice(known);
+            }
+        }
+        let site = self.memory.key(request.site, &request.loops);
+        let question = Question::of(request.effect, request.subject, site, self.textures);
+        let Some(question) = question else { return };
+        let Memory { asking, words, tables, .. } = &mut *self.memory;
+        asking.clear();
+        if !request.effect.reads().is_empty() {
+            asking.states.push(request.scope.applied(code, words, state));
+        }
+        asking.tokens.extend(token);
+        let arguments = step.words.of(&code.places).iter();
+        asking.arguments.extend(arguments.map(|place| words[*place as usize]));
+        asking.ask(question, self.renderer);
+        words[answer].copy_from_slice(&asking.answers);
+        if let Some((table, turn, pass)) = sample {
+            tables[table].keep(turn, pass, &asking.answers);
+        }
+    }
+}
