@@ -21,7 +21,7 @@
 //! }
 //!
 //! impl Renderer for Sky {
-//!     fn trace(&mut self, _: Trace, rays: &[Ray], answers: &mut [Answer]) {
+//!     fn trace(&mut self, _: Trace, _: &[State], rays: &[Ray], answers: &mut [Answer]) {
 //!         self.rays += rays.len();
 //!         for (ray, answer) in rays.iter().zip(answers) {
 //!             let up = ray.direction[2].max(0.0);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::effects::{Answer, LightList, LightSample, Ray, Renderer, Trace};
+use phenomenon_compiler::effects::{Answer, LightList, LightSample, Points, Ray, Renderer, Trace};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::show::{ShowError, draw_dot, draw_svg};
@@ -19,7 +19,7 @@ struct Nothing {
 }
 
 impl Renderer for Nothing {
-    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
+    fn trace(&mut self, trace: Trace, _: &[State], rays: &[Ray], answers: &mut [Answer]) {
         self.asked[trace as usize] += rays.len();
         for (ray, answer) in rays.iter().zip(answers) {
             let [x, y, z] = ray.direction;
@@ -35,13 +35,19 @@ impl Renderer for Nothing {
         1 + (list.0 as usize).min(2)
     }
 
-    fn light_samples(&mut self, _: LightList, at: usize, _: &[State], samples: &mut [LightSample]) {
+    fn light_samples(
+        &mut self,
+        _: LightList,
+        at: usize,
+        _: Points<'_>,
+        samples: &mut [LightSample],
+    ) {
         let direction = if at == 0 { [0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0] };
         let token = at as u64;
         samples.fill(LightSample { direction, distance: at as f32, reachable: at < 2, token });
     }
 
-    fn light_colors(&mut self, _: &[State], tokens: &[u64], colors: &mut [[f32; 3]]) {
+    fn light_colors(&mut self, _: Points<'_>, tokens: &[u64], colors: &mut [[f32; 3]]) {
         self.asked[5] += colors.len();
         for (token, color) in tokens.iter().zip(colors) {
             *color = [1.0, *token as f32, -0.0];

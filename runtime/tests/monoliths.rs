@@ -6,7 +6,9 @@ use std::sync::Arc;
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::document;
-use phenomenon_compiler::effects::{Answer, Effect, LightList, LightSample, Ray, Renderer, Trace};
+use phenomenon_compiler::effects::{
+    Answer, Effect, LightList, LightSample, Points, Ray, Renderer, Trace,
+};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -23,17 +25,18 @@ struct Mock {
 const LIGHTS: [[f32; 3]; 3] = [[0.6, 0.8, 0.0], [0.0, 0.6, -0.8], [-0.48, -0.6, 0.64]];
 
 impl Renderer for Mock {
-    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
+    fn trace(&mut self, trace: Trace, states: &[State], rays: &[Ray], answers: &mut [Answer]) {
         *self.requests.entry(trace.into()).or_default() += rays.len();
         for (ray, answer) in rays.iter().zip(answers) {
+            let path = states[ray.point as usize].path;
             let [x, y, z] = ray.direction.map(|component| 0.5 + 0.5 * component);
             let probe = trace == Trace::Probe;
             *answer = Answer {
                 color: if probe { [0.0; 4] } else { [x, y, z, 0.25 + 0.5 * x] },
                 // Some points see nothing, so that the environment is asked instead.
-                ok: trace == Trace::Environment || ray.state.path % 3 != 0,
+                ok: trace == Trace::Environment || path % 3 != 0,
                 hit: trace != Trace::Environment,
-                distance: if ray.state.path % 5 == 0 { 0.0 } else { 2.0 + 3.0 * x },
+                distance: if path % 5 == 0 { 0.0 } else { 2.0 + 3.0 * x },
             };
         }
     }
@@ -51,7 +54,7 @@ impl Renderer for Mock {
         &mut self,
         _: LightList,
         iteration: usize,
-        points: &[State],
+        points: Points<'_>,
         samples: &mut [LightSample],
     ) {
         for (point, sample) in points.iter().zip(samples) {
@@ -61,7 +64,7 @@ impl Renderer for Mock {
         }
     }
 
-    fn light_colors(&mut self, points: &[State], tokens: &[u64], colors: &mut [[f32; 3]]) {
+    fn light_colors(&mut self, points: Points<'_>, tokens: &[u64], colors: &mut [[f32; 3]]) {
         *self.requests.entry(Effect::LightColor).or_default() += points.len();
         for (token, color) in tokens.iter().zip(colors) {
             *color = [1.0 + *token as f32, 0.5, 0.25];

@@ -2,7 +2,7 @@
 //! request is logged.
 
 use phenomenon_compiler::effects::{
-    Answer, Effect, LightList, LightSample, Ray, Renderer, TextureId, Trace,
+    Answer, Effect, LightList, LightSample, Points, Ray, Renderer, TextureId, Trace,
 };
 use phenomenon_compiler::state::{Field, State};
 use phenomenon_compiler::values::{Texture, Type};
@@ -69,24 +69,24 @@ fn light_words(token: u64, state: &State) -> Vec<u32> {
     words
 }
 
-/// The record of a traced ray.
-fn record(effect: Effect, ray: &Ray) -> Record {
-    let mut record = vec![effect as u32, ray.state.hit.instance];
+/// The record of a ray traced from a point.
+fn record(effect: Effect, state: &State, ray: &Ray) -> Record {
+    let mut record = vec![effect as u32, state.hit.instance];
     record.extend([(ray.site >> 32) as u32, ray.site as u32]);
     record.extend(numbers(ray.origin));
     record.extend(numbers(ray.direction));
     for &field in effect.reads() {
-        record.extend(field_words(field, &ray.state));
+        record.extend(field_words(field, state));
     }
     record
 }
 
 impl Renderer for MockRenderer {
-    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
+    fn trace(&mut self, trace: Trace, states: &[State], rays: &[Ray], answers: &mut [Answer]) {
         assert_eq!(rays.len(), answers.len());
         assert!(!rays.is_empty(), "a request without rays");
         for (ray, answer) in rays.iter().zip(answers) {
-            let record = record(trace.into(), ray);
+            let record = record(trace.into(), &states[ray.point as usize], ray);
             let mut random = Random::new(hash(
                 record.iter().enumerate().filter(|(at, _)| *at != 1).map(|(_, word)| *word),
             ));
@@ -137,7 +137,7 @@ impl Renderer for MockRenderer {
         &mut self,
         list: LightList,
         iteration: usize,
-        points: &[State],
+        points: Points<'_>,
         samples: &mut [LightSample],
     ) {
         assert_eq!(points.len(), samples.len());
@@ -157,7 +157,7 @@ impl Renderer for MockRenderer {
         }
     }
 
-    fn light_colors(&mut self, points: &[State], tokens: &[u64], colors: &mut [[f32; 3]]) {
+    fn light_colors(&mut self, points: Points<'_>, tokens: &[u64], colors: &mut [[f32; 3]]) {
         assert_eq!((points.len(), tokens.len()), (colors.len(), colors.len()));
         assert!(!points.is_empty(), "a request without points");
         for ((state, token), color) in points.iter().zip(tokens).zip(colors) {

@@ -3,11 +3,13 @@
 mod effect;
 mod lights;
 mod no_scene;
+mod points;
 mod rays;
 mod renderer;
 
 pub use effect::{Asked, Effect, EffectSet, Part};
 pub use lights::{LightList, LightSample};
 pub use no_scene::NoScene;
+pub use points::Points;
 pub use rays::{Answer, Ray, Trace};
 pub use renderer::{Renderer, TextureId};

@@ -2,6 +2,7 @@
 
 use super::rays::{Answer, Ray, Trace};
 use super::renderer::Renderer;
+use crate::state::State;
 
 /// A renderer without a scene: rays hit nothing and return black, not ok, no light shines, and there
 /// are no textures.
@@ -11,7 +12,7 @@ use super::renderer::Renderer;
 pub struct NoScene;
 
 impl Renderer for NoScene {
-    fn trace(&mut self, _: Trace, _: &[Ray], answers: &mut [Answer]) {
+    fn trace(&mut self, _: Trace, _: &[State], _: &[Ray], answers: &mut [Answer]) {
         answers.fill(Answer::default());
     }
 }

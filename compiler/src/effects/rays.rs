@@ -1,7 +1,5 @@
 //! Rays a shader asks for, and what comes back.
 
-use crate::state::State;
-
 /// How a ray is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Trace {
@@ -31,8 +29,9 @@ impl Trace {
 /// A ray a shader asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// The point that asks, with the changes of the scopes round the request.
-    pub state: State,
+    /// Number of the state of the point that asks, among those handed over with it; it has the changes
+    /// of the scopes round the request.
+    pub point: u32,
     /// Where it starts: the point, or for a probe the given origin.
     pub origin: [f32; 3],
     /// Its direction, of any length (the renderer normalises it; zero misses everything).

@@ -4,11 +4,17 @@ use crate::state::State;
 use crate::values::Texture;
 
 use super::lights::{LightList, LightSample};
+use super::points::Points;
 use super::rays::{Answer, Ray, Trace};
 
 /// A texture, resolved by the renderer from the file in a graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct TextureId(pub u32);
+
+impl TextureId {
+    /// A texture that is not there.
+    pub const NONE: Self = Self(u32::MAX);
+}
 
 /// The renderer as engines see it. Every call carries many points; an engine that runs one point
 /// at a time passes one. Answers may depend on the arguments only, never on order or grouping; of a
@@ -18,13 +24,13 @@ pub struct TextureId(pub u32);
 /// A renderer without textures need not implement the calls for textures, one without lights not
 /// those for lights.
 pub trait Renderer {
-    /// Traces `rays` and writes one answer each.
-    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]);
+    /// Traces `rays`, each from one of the `states`, and writes one answer each.
+    fn trace(&mut self, trace: Trace, states: &[State], rays: &[Ray], answers: &mut [Answer]);
 
     /// The texture of a file. A renderer opens all of [`crate::engine::Shade::textures`] beforehand and
     /// refuses to start where it cannot.
     fn texture(&mut self, _texture: &Texture) -> TextureId {
-        TextureId(u32::MAX)
+        TextureId::NONE
     }
 
     /// The colour (r, g, b, a) of `texture` at each pair of coordinates, the picture filling 0..1 in
@@ -54,7 +60,7 @@ pub trait Renderer {
         &mut self,
         _list: LightList,
         _iteration: usize,
-        _points: &[State],
+        _points: Points<'_>,
         samples: &mut [LightSample],
     ) {
         samples.fill(LightSample::default());
@@ -64,7 +70,7 @@ pub trait Renderer {
     /// the number of samples of its light: a loop only adds. The token is one that
     /// [`Renderer::light_samples`] gave out for the point as the loop sees it; a scope inside the loop may
     /// have moved it since.
-    fn light_colors(&mut self, _points: &[State], _tokens: &[u64], colors: &mut [[f32; 3]]) {
+    fn light_colors(&mut self, _points: Points<'_>, _tokens: &[u64], colors: &mut [[f32; 3]]) {
         colors.fill([0.0; 3]);
     }
 }

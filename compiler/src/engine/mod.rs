@@ -2,6 +2,7 @@
 
 pub mod execute;
 pub mod jit;
+mod links;
 mod memory;
 mod options;
 mod requests;
@@ -11,6 +12,7 @@ mod shader;
 mod turns;
 pub mod walk;
 
+pub use links::Links;
 pub use options::{Engine, Options, Simd};
 pub use runner::Runner;
 pub use shade::{Shade, Shaded};

@@ -1,11 +1,11 @@
 //! Requests as words: how both ways of running a graph put them to the renderer. They gather the words
 //! of arguments and hand out those of answers; what an effect means is known here alone.
 
-use cranelift_entity::PrimaryMap;
-
-use crate::effects::{Answer, Asked, Effect, Ray, Renderer, TextureId, Trace};
-use crate::specialise::{Subject, TexturePosition, mix_key};
+use crate::effects::{Answer, Asked, Effect, Points, Ray, Renderer, TextureId, Trace};
+use crate::specialise::{Subject, mix_key};
 use crate::state::State;
+
+use super::links::Linked;
 
 /// The key of a request with one more loop round it.
 pub(super) fn iteration_key(key: u64, iteration: usize) -> u64 {
@@ -29,12 +29,12 @@ impl Question {
         effect: Effect,
         subject: Subject<L>,
         site: u64,
-        textures: &PrimaryMap<TexturePosition, TextureId>,
+        links: Linked<'_>,
     ) -> Option<Self> {
         match (effect.asked(), subject) {
             (Asked::Rays(trace), _) => Some(Question::Rays(trace, site)),
             (Asked::LightColors, Subject::Light { .. }) => Some(Question::LightColors),
-            (Asked::Texels, Subject::Texture(at)) => Some(Question::Texels(textures[at])),
+            (Asked::Texels, Subject::Texture(at)) => Some(Question::Texels(links.texture(at))),
             (Asked::LightColors | Asked::Texels, _) => None,
         }
     }
@@ -43,8 +43,10 @@ impl Question {
 /// A request of some points, as words; kept between requests so that nothing is allocated.
 #[derive(Debug, Default)]
 pub(super) struct Asking {
-    /// Of each point, its state with the changes of scopes; left out where the effect reads none.
-    pub states: Vec<State>,
+    /// The points that ask: their numbers in the batch.
+    pub numbers: Vec<u32>,
+    /// Of each point, its state with the changes of scopes; empty where none changed what matters.
+    pub scoped: Vec<State>,
     /// Of each point, the token of the light sample that is asked about; for light colours only.
     pub tokens: Vec<u64>,
     /// Argument words, point by point.
@@ -61,47 +63,50 @@ pub(super) struct Asking {
 impl Asking {
     /// Makes it ready for another request.
     pub(super) fn clear(&mut self) {
-        self.states.clear();
+        self.numbers.clear();
+        self.scoped.clear();
         self.tokens.clear();
         self.arguments.clear();
     }
 
-    /// Puts the question to the renderer and writes the answers.
-    pub(super) fn ask(&mut self, question: Question, renderer: &mut dyn Renderer) {
+    /// Puts the question of points of a batch to the renderer and writes the answers.
+    pub(super) fn ask(&mut self, question: Question, batch: &[State], renderer: &mut dyn Renderer) {
         self.answers.clear();
         match question {
-            Question::Rays(trace, site) => self.trace(trace, site, renderer),
-            Question::LightColors => self.light_colors(renderer),
+            Question::Rays(trace, site) => self.trace(trace, site, batch, renderer),
+            Question::LightColors => self.light_colors(batch, renderer),
             Question::Texels(texture) => self.read_texture(texture, renderer),
         }
     }
 
-    fn trace(&mut self, trace: Trace, site: u64, renderer: &mut dyn Renderer) {
-        let width = self.arguments.len() / self.states.len().max(1);
+    fn trace(&mut self, trace: Trace, site: u64, batch: &[State], renderer: &mut dyn Renderer) {
+        let points = asking(batch, &self.numbers, &self.scoped);
+        let width = self.arguments.len() / points.len().max(1);
         self.rays.clear();
-        self.rays.extend(self.states.iter().enumerate().map(|(point, state)| {
+        self.rays.extend(points.iter().enumerate().map(|(at, state)| {
             // A direction, then an origin, as far as the effect takes them.
-            let given = &self.arguments[point * width..][..width];
+            let given = &self.arguments[at * width..][..width];
             let vector = |from: usize, or: [f32; 3]| match given.get(from..from + 3) {
                 Some(words) => [words[0], words[1], words[2]].map(f32::from_bits),
                 None => or,
             };
             let direction = vector(0, state.direction);
-            Ray { state: *state, origin: vector(3, state.point), direction, site }
+            Ray { point: points.number(at), origin: vector(3, state.point), direction, site }
         }));
         self.traced.clear();
         self.traced.resize(self.rays.len(), Answer::default());
-        renderer.trace(trace, &self.rays, &mut self.traced);
+        renderer.trace(trace, points.states(), &self.rays, &mut self.traced);
         for answer in &self.traced {
             self.answers.extend(answer.color.map(f32::to_bits));
             self.answers.extend([truth(answer.ok), truth(answer.hit), answer.distance.to_bits()]);
         }
     }
 
-    fn light_colors(&mut self, renderer: &mut dyn Renderer) {
+    fn light_colors(&mut self, batch: &[State], renderer: &mut dyn Renderer) {
+        let points = asking(batch, &self.numbers, &self.scoped);
         self.colors.clear();
-        self.colors.resize(self.states.len(), [0.0; 3]);
-        renderer.light_colors(&self.states, &self.tokens, &mut self.colors);
+        self.colors.resize(points.len(), [0.0; 3]);
+        renderer.light_colors(points, &self.tokens, &mut self.colors);
         for [r, g, b] in &self.colors {
             self.answers.extend([*r, *g, *b, 1.0].map(f32::to_bits));
         }
@@ -119,6 +124,15 @@ impl Asking {
             self.answers.push(truth(color.is_some()));
         }
     }
+}
+
+/// The points with these numbers in a batch, or what scopes made of them.
+pub(super) fn asking<'a>(
+    batch: &'a [State],
+    numbers: &'a [u32],
+    scoped: &'a [State],
+) -> Points<'a> {
+    if scoped.is_empty() { Points::numbered(batch, numbers) } else { Points::from(scoped) }
 }
 
 /// A truth as a word.

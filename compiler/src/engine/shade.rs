@@ -7,6 +7,8 @@ use crate::graph::RootKind;
 use crate::state::State;
 use crate::values::Texture;
 
+use super::links::Links;
+
 /// What shading a point yields.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shaded {
@@ -29,13 +31,32 @@ pub trait Shade: Send + Sync {
         BTreeSet::new()
     }
 
+    /// Looks up the lights and textures it names, whatever the root.
+    fn link(&self, _renderer: &mut dyn Renderer) -> Links {
+        Links::default()
+    }
+
     /// Shades `points`, all of one ray type, and writes one result each. Requests go to `renderer`,
-    /// which may call back into this or other shaders before it answers.
+    /// which may call back into this or other shaders before it answers. `links` are what
+    /// [`Shade::link`] made with that renderer; with others there may be no lights or textures.
+    fn shade_linked(
+        &self,
+        root: RootKind,
+        points: &[State],
+        links: &Links,
+        renderer: &mut dyn Renderer,
+        results: &mut [Shaded],
+    );
+
+    /// Links and shades; who shades often links once.
     fn shade(
         &self,
         root: RootKind,
         points: &[State],
         renderer: &mut dyn Renderer,
         results: &mut [Shaded],
-    );
+    ) {
+        let links = self.link(renderer);
+        self.shade_linked(root, points, &links, renderer, results);
+    }
 }

@@ -14,6 +14,7 @@ use crate::values::{Literal, Texture};
 
 use super::execute::Program;
 use super::jit::{JitCode, JitError, Pieces, Plan, worker};
+use super::links::{FirstLinks, Links};
 use super::memory::with_memory;
 use super::options::{Engine, Options, Simd};
 use super::runner::Runner;
@@ -60,6 +61,7 @@ struct Compiled {
     root: RootKind,
     ray_type: Option<RayType>,
     uniforms: Uniforms,
+    links: FirstLinks,
     code: Arc<RootCode>,
 }
 
@@ -165,14 +167,17 @@ impl Shader {
 
     fn compile(&mut self) -> Result<(), ShaderError> {
         let start = Instant::now();
-        let mut programs = Vec::new();
+        let mut programs: Vec<Compiled> = Vec::new();
+        let mut links = FirstLinks::default();
         for root in self.graph.roots.iter().filter(|root| self.options.roots.contains(&root.kind)) {
             let ray_types = match self.options.called_rays_only {
                 true => root.kind.ray_types(),
                 false => &RayType::ALL,
             };
             for (at, &ray_type) in ray_types.iter().enumerate() {
-                let program = self.compile_root(root, ray_type)?;
+                let program = self.compile_root(root, ray_type, links)?;
+                links.light_list += program.code.specialised.light_lists.len();
+                links.texture += program.code.specialised.textures.len();
                 if at == 0 && !program.code.specialised.reads_ray_type {
                     programs.push(program);
                     break;
@@ -202,7 +207,12 @@ impl Shader {
         }
     }
 
-    fn compile_root(&self, root: &Root, ray_type: RayType) -> Result<Compiled, ShaderError> {
+    fn compile_root(
+        &self,
+        root: &Root,
+        ray_type: RayType,
+        links: FirstLinks,
+    ) -> Result<Compiled, ShaderError> {
         let specialised = expand(&self.graph, root, ray_type, &self.values)?;
         let uniforms = specialised.uniforms.clone();
         let Options { engine, simd, .. } = self.options;
@@ -218,7 +228,7 @@ impl Shader {
             }
             Engine::Auto | Engine::Walk | Engine::Batch => {}
         }
-        Ok(Compiled { root: root.kind, ray_type: None, uniforms, code })
+        Ok(Compiled { root: root.kind, ray_type: None, uniforms, links, code })
     }
 
     fn program(&self, root: RootKind, ray_type: RayType) -> Option<&Compiled> {
@@ -257,10 +267,22 @@ impl Shade for Shader {
         programs.flat_map(|program| program.code.specialised.textures.values().cloned()).collect()
     }
 
-    fn shade(
+    fn link(&self, renderer: &mut dyn Renderer) -> Links {
+        let mut links = Links::default();
+        for program in &self.programs {
+            let Specialised { light_lists, textures, .. } = &program.code.specialised;
+            let lists = light_lists.values().map(|names| renderer.light_list(names));
+            links.light_lists.extend(lists);
+            links.textures.extend(textures.values().map(|texture| renderer.texture(texture)));
+        }
+        links
+    }
+
+    fn shade_linked(
         &self,
         root: RootKind,
         points: &[State],
+        links: &Links,
         renderer: &mut dyn Renderer,
         results: &mut [Shaded],
     ) {
@@ -271,10 +293,11 @@ impl Shade for Shader {
         };
         let RootCode { walk, schedule, plan, .. } = &*program.code;
         let uniforms = program.uniforms.values();
+        let links = links.from(program.links);
         if let Some(walk) = walk {
             self.counts.walk.fetch_add(points.len() as u64, Ordering::Relaxed);
             with_memory(|memory| {
-                walk.run(uniforms, points, renderer, results, &mut memory.walk);
+                walk.run(uniforms, points, links, renderer, results, &mut memory.walk);
             });
         }
         let Some(schedule) = schedule else { return };
@@ -284,6 +307,6 @@ impl Shade for Shader {
         };
         count.fetch_add(points.len() as u64, Ordering::Relaxed);
         let program = Program { schedule, uniforms, runner, batch: self.options.batch };
-        with_memory(|memory| program.run(points, renderer, results, &mut memory.batch));
+        with_memory(|memory| program.run(points, links, renderer, results, &mut memory.batch));
     }
 }

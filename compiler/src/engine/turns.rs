@@ -1,5 +1,6 @@
 //! What the turns of a loop provide, for both ways of running a graph.
 
+use super::requests::asking;
 use crate::effects::{LightList, LightSample, Renderer};
 use crate::specialise::mix_key;
 use crate::state::{MOST_TURNS, State};
@@ -7,8 +8,8 @@ use crate::state::{MOST_TURNS, State};
 /// A turn of a loop, for all points alike.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Turn {
-    /// A light sample: its list and its number there.
-    OfLights(LightList, usize),
+    /// A light sample: its list, if it is known, and its number there.
+    OfLights(Option<LightList>, usize),
     /// A sample: its number, and the key of its random numbers.
     OfSamples(usize, u64),
 }
@@ -17,8 +18,10 @@ pub(super) enum Turn {
 /// allocated.
 #[derive(Debug, Default)]
 pub(super) struct Turning {
-    /// Of each point of a loop over lights, its state with the changes of scopes.
-    pub states: Vec<State>,
+    /// The points of a loop over lights: their numbers in the batch.
+    pub numbers: Vec<u32>,
+    /// Of each of them, its state with the changes of scopes; empty where none changed what matters.
+    pub scoped: Vec<State>,
     /// Of each point of a loop over samples, the key of its path and how many it takes.
     pub paths: Vec<(u64, usize)>,
     /// Words of the fields that are provided, point by point.
@@ -38,25 +41,35 @@ pub(super) fn turns_of(count: u32) -> usize {
 impl Turning {
     /// Makes it ready for other points.
     pub(super) fn clear(&mut self) {
-        self.states.clear();
+        self.numbers.clear();
+        self.scoped.clear();
         self.paths.clear();
     }
 
-    /// Finds what a turn provides.
-    pub(super) fn turn(&mut self, turn: Turn, renderer: &mut dyn Renderer) {
+    /// Finds what a turn provides to points of a batch.
+    pub(super) fn turn(&mut self, turn: Turn, batch: &[State], renderer: &mut dyn Renderer) {
         self.words.clear();
         self.reached.clear();
         self.tokens.clear();
         match turn {
-            Turn::OfLights(list, number) => self.light(list, number, renderer),
+            Turn::OfLights(list, number) => self.light(list, number, batch, renderer),
             Turn::OfSamples(number, key) => self.sample(number, key),
         }
     }
 
-    fn light(&mut self, list: LightList, number: usize, renderer: &mut dyn Renderer) {
+    fn light(
+        &mut self,
+        list: Option<LightList>,
+        number: usize,
+        batch: &[State],
+        renderer: &mut dyn Renderer,
+    ) {
+        let points = asking(batch, &self.numbers, &self.scoped);
         self.samples.clear();
-        self.samples.resize(self.states.len(), LightSample::default());
-        renderer.light_samples(list, number, &self.states, &mut self.samples);
+        self.samples.resize(points.len(), LightSample::default());
+        if let Some(list) = list {
+            renderer.light_samples(list, number, points, &mut self.samples);
+        }
         for sample in &self.samples {
             self.words.extend(sample.direction.map(f32::to_bits));
             self.words.push(sample.distance.to_bits());

@@ -42,9 +42,7 @@ pub fn schedule(graph: &Specialised) -> Schedule {
         fields: graph.fields.clone(),
         slots: builder.slots,
         root,
-        light_lists: graph.light_lists.clone(),
         tables: graph.tables.clone(),
-        textures: graph.textures.clone(),
     }
 }
 

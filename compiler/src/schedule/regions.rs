@@ -4,12 +4,10 @@ use cranelift_entity::PrimaryMap;
 
 use crate::effects::Effect;
 use crate::kernels::BodyForms;
-use crate::specialise::{
-    Context, EpochId, LightListId, LightTable, LightTableId, Subject, TexturePosition, Turns,
-};
+use crate::specialise::{Context, EpochId, LightTable, LightTableId, Subject, Turns};
 use crate::state::{Field, Reduction};
 use crate::storage::Source;
-use crate::values::{Texture, Type};
+use crate::values::Type;
 
 use super::{LoopId, RegionId, RequestId, SegmentId};
 
@@ -30,12 +28,8 @@ pub struct Schedule {
     pub slots: u32,
     /// First of the root's slots: colour, then ok.
     pub root: u32,
-    /// Names of the lights loops run over.
-    pub light_lists: PrimaryMap<LightListId, Vec<String>>,
     /// Tables of light colours.
     pub tables: PrimaryMap<LightTableId, LightTable>,
-    /// Textures that are read.
-    pub textures: PrimaryMap<TexturePosition, Texture>,
 }
 
 /// What is demanded under one mask.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use phenomenon_compiler::effects::{
-    Answer, LightList, LightSample, Ray, Renderer, TextureId, Trace,
+    Answer, LightList, LightSample, Points, Ray, Renderer, TextureId, Trace,
 };
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
@@ -19,7 +19,7 @@ pub struct Asked {
 }
 
 impl Renderer for Asked {
-    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
+    fn trace(&mut self, trace: Trace, _: &[State], rays: &[Ray], answers: &mut [Answer]) {
         self.rays += rays.len();
         let x = if trace == Trace::Reflection { 1.0 } else { 0.5 };
         answers.fill(Answer { color: [x, x, x, 1.0], ok: true, hit: true, distance: 2.0 });
@@ -46,11 +46,17 @@ impl Renderer for Asked {
     fn light_count(&mut self, list: LightList) -> usize {
         list.0 as usize
     }
-    fn light_samples(&mut self, _: LightList, _: usize, _: &[State], samples: &mut [LightSample]) {
+    fn light_samples(
+        &mut self,
+        _: LightList,
+        _: usize,
+        _: Points<'_>,
+        samples: &mut [LightSample],
+    ) {
         let direction = [0.0, 0.0, 1.0];
         samples.fill(LightSample { direction, distance: 0.0, reachable: true, token: 0 });
     }
-    fn light_colors(&mut self, _: &[State], _: &[u64], colors: &mut [[f32; 3]]) {
+    fn light_colors(&mut self, _: Points<'_>, _: &[u64], colors: &mut [[f32; 3]]) {
         colors.fill([1.0, 2.0, 4.0]);
     }
 }

@@ -28,6 +28,14 @@ pub enum Environment {
 }
 
 impl Environment {
+    /// The shader, if it is one.
+    pub fn shader(&self) -> Option<&Arc<dyn Shade>> {
+        match self {
+            Environment::Shader(shader) => Some(shader),
+            Environment::Constant(_) | Environment::Gradient { .. } | Environment::Image(_) => None,
+        }
+    }
+
     /// The colour seen in a unit direction; none if a shader must say.
     #[inline]
     pub fn color(&self, direction: [f32; 3]) -> Option<[f32; 4]> {

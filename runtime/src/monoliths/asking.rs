@@ -1,10 +1,11 @@
 //! Asking the renderer about one point at a time.
 
 use glam::{Vec3, Vec4};
-use phenomenon_compiler::effects::{Answer, LightList, LightSample, Ray, Renderer, Trace};
+use phenomenon_compiler::effects::{Answer, LightList, LightSample, Points, Ray, Renderer, Trace};
+use phenomenon_compiler::engine::Links;
 use phenomenon_compiler::state::State;
 
-/// The renderer, and the list of all lights once it was asked for.
+/// The renderer, and the list of all lights if it is linked.
 pub struct Asking<'r> {
     renderer: &'r mut dyn Renderer,
     lights: Option<LightList>,
@@ -12,15 +13,15 @@ pub struct Asking<'r> {
 
 impl<'r> Asking<'r> {
     /// Nothing asked yet.
-    pub fn new(renderer: &'r mut dyn Renderer) -> Self {
-        Self { renderer, lights: None }
+    pub fn new(links: &Links, renderer: &'r mut dyn Renderer) -> Self {
+        Self { renderer, lights: links.light_lists.first().copied() }
     }
 
     /// Casts a ray from the point.
     pub fn trace(&mut self, trace: Trace, point: &State, direction: Vec3, site: u64) -> Answer {
-        let ray = Ray { state: *point, origin: point.point, direction: direction.into(), site };
+        let ray = Ray { point: 0, origin: point.point, direction: direction.into(), site };
         let mut answers = [Answer::default()];
-        self.renderer.trace(trace, &[ray], &mut answers);
+        self.renderer.trace(trace, std::slice::from_ref(point), &[ray], &mut answers);
         answers[0]
     }
 
@@ -38,8 +39,8 @@ impl<'r> Asking<'r> {
     /// Light that a white diffuse surface reflects: the sum over all lights of colour times cosine.
     /// Casts a shadow ray for each light before the surface.
     pub fn diffuse(&mut self, point: &State) -> Vec3 {
-        let list = *self.lights.get_or_insert_with(|| self.renderer.light_list(&[]));
-        let points = std::slice::from_ref(point);
+        let Some(list) = self.lights else { return Vec3::ZERO };
+        let points = Points::from(std::slice::from_ref(point));
         let mut sum = Vec3::ZERO;
         for iteration in 0..self.renderer.light_count(list) {
             let mut samples = [LightSample::default()];

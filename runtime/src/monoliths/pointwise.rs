@@ -2,7 +2,7 @@
 
 use glam::{Vec3, Vec4};
 use phenomenon_compiler::effects::{Effect, EffectSet, Renderer};
-use phenomenon_compiler::engine::{Shade, Shaded};
+use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
 
@@ -43,14 +43,20 @@ impl<S: PointShader> Shade for Pointwise<S> {
         roots.flat_map(|(_, effects)| effects.iter().copied()).collect()
     }
 
-    fn shade(
+    fn link(&self, renderer: &mut dyn Renderer) -> Links {
+        // All lights: what `Asking::diffuse` goes through.
+        Links { light_lists: vec![renderer.light_list(&[])], ..Links::default() }
+    }
+
+    fn shade_linked(
         &self,
         root: RootKind,
         points: &[State],
+        links: &Links,
         renderer: &mut dyn Renderer,
         results: &mut [Shaded],
     ) {
-        let mut asking = Asking::new(renderer);
+        let mut asking = Asking::new(links, renderer);
         for (point, result) in points.iter().zip(results) {
             *result = self.0.shade_point(root, point, &mut asking);
         }

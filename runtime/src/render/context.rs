@@ -1,7 +1,9 @@
 //! What a thread renders with: queues of rays become batches of points, and those are shaded.
 
+use std::sync::Arc;
+
 use phenomenon_compiler::effects::{Answer, LightList, Ray};
-use phenomenon_compiler::engine::{Shade, Shaded};
+use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::{RayType, State};
 
@@ -30,12 +32,15 @@ pub struct Context<'s> {
     nesting: usize,
     /// Lists of lights that shaders asked for: their names, and the numbers of these lights.
     light_lists: Vec<(Vec<String>, Vec<u32>)>,
+    /// Of each material, then of the environment: what its shader names. Shared, so that a shading call
+    /// holds on to it while the context answers requests.
+    links: Arc<[Links]>,
 }
 
 impl<'s> Context<'s> {
     /// A renderer of `scene` that shades at most `batch` points at once (at least 1).
     pub fn new(scene: &'s Scene, batch: usize) -> Self {
-        Self {
+        let mut context = Self {
             scene,
             batch: batch.max(1),
             counts: RayCounts::default(),
@@ -44,7 +49,13 @@ impl<'s> Context<'s> {
             spare: Vec::new(),
             nesting: 0,
             light_lists: Vec::new(),
-        }
+            links: Arc::new([]),
+        };
+        let materials = scene.materials.iter().map(|material| &material.shader);
+        let environment = scene.environment.as_ref().and_then(Environment::shader);
+        context.links =
+            materials.chain(environment).map(|shader| shader.link(&mut context)).collect();
+        context
     }
 
     /// Rays so far.
@@ -72,8 +83,15 @@ impl<'s> Context<'s> {
     }
 
     /// Traces camera rays: their states hold what the whole path shares.
-    pub(super) fn trace_camera_rays(&mut self, rays: &[Ray], answers: &mut [Answer]) {
-        self.nested(|context, scratch| context.trace_queue(RayType::Eye, rays, answers, scratch));
+    pub(super) fn trace_camera_rays(
+        &mut self,
+        states: &[State],
+        rays: &[Ray],
+        answers: &mut [Answer],
+    ) {
+        self.nested(|context, scratch| {
+            context.trace_queue(RayType::Eye, states, rays, answers, scratch);
+        });
     }
 
     /// Traces a queue: intersects all rays, shades the hits material by material in batches, then
@@ -81,6 +99,7 @@ impl<'s> Context<'s> {
     pub(super) fn trace_queue(
         &mut self,
         ray_type: RayType,
+        states: &[State],
         rays: &[Ray],
         answers: &mut [Answer],
         scratch: &mut Scratch,
@@ -89,12 +108,13 @@ impl<'s> Context<'s> {
         scratch.missed.clear();
         for (slot, (ray, answer)) in rays.iter().zip(&mut *answers).enumerate() {
             *answer = Answer::default();
+            let from = &states[ray.point as usize];
             let asked = match ray_type {
-                RayType::Transparent => ray.state.direction,
+                RayType::Transparent => from.direction,
                 _ => ray.direction,
             };
             let Some(direction) = unit_direction(asked) else { continue };
-            let Some(prepared) = self.admit(ray_type, ray, direction) else {
+            let Some(prepared) = self.admit(ray_type, from, ray, direction) else {
                 scratch.missed.push((slot as u32, direction));
                 continue;
             };
@@ -108,14 +128,20 @@ impl<'s> Context<'s> {
             }
         }
         scratch.waiting.sort_unstable_by_key(|waiting| (waiting.material, waiting.slot));
-        self.shade_hits(ray_type, rays, answers, scratch);
-        self.look_up_environment(rays, answers, scratch);
+        self.shade_hits(ray_type, states, rays, answers, scratch);
+        self.look_up_environment(states, rays, answers, scratch);
     }
 
     /// Counts a ray and makes it ready; none if it may not be traced.
     #[inline]
-    fn admit(&mut self, ray_type: RayType, ray: &Ray, direction: [f32; 3]) -> Option<PreparedRay> {
-        let (reflections, refractions) = (ray.state.reflection_level, ray.state.refraction_level);
+    fn admit(
+        &mut self,
+        ray_type: RayType,
+        from: &State,
+        ray: &Ray,
+        direction: [f32; 3],
+    ) -> Option<PreparedRay> {
+        let (reflections, refractions) = (from.reflection_level, from.refraction_level);
         let depth = &self.scene.depth;
         let (allowed, count) = match ray_type {
             RayType::Eye => {
@@ -136,7 +162,7 @@ impl<'s> Context<'s> {
         if !allowed {
             return None;
         }
-        let prepared = prepared(ray, direction)?;
+        let prepared = prepared(from, ray, direction)?;
         *count += 1;
         Some(prepared)
     }
@@ -144,18 +170,20 @@ impl<'s> Context<'s> {
     fn shade_hits(
         &mut self,
         ray_type: RayType,
+        states: &[State],
         rays: &[Ray],
         answers: &mut [Answer],
         scratch: &mut Scratch,
     ) {
-        let Scratch { waiting, states, results, .. } = scratch;
+        let Scratch { waiting, states: hits, results, .. } = scratch;
         for group in waiting.chunk_by(|a, b| a.material == b.material) {
             for batch in group.chunks(self.batch) {
-                states.clear();
-                states.extend(batch.iter().map(|waiting| {
-                    hit_state(self.scene, &rays[waiting.slot as usize], ray_type, waiting)
+                hits.clear();
+                hits.extend(batch.iter().map(|waiting| {
+                    let ray = &rays[waiting.slot as usize];
+                    hit_state(self.scene, &states[ray.point as usize], ray, ray_type, waiting)
                 }));
-                self.shade_material(batch[0].material, RootKind::Material, states, results);
+                self.shade_material(batch[0].material, RootKind::Material, hits, results);
                 for (waiting, result) in batch.iter().zip(&*results) {
                     answers[waiting.slot as usize] = Answer {
                         color: result.color,
@@ -177,7 +205,8 @@ impl<'s> Context<'s> {
         results: &mut Vec<Shaded>,
     ) {
         let scene = self.scene;
-        let material = scene.materials.get(material as usize);
+        let number = material as usize;
+        let material = scene.materials.get(number);
         let has_root = material.is_some_and(|material| match root {
             RootKind::Material => material.has_material,
             RootKind::Shadow => material.has_shadow,
@@ -186,29 +215,39 @@ impl<'s> Context<'s> {
         results.clear();
         results.resize(states.len(), Shaded::default());
         if let (Some(material), true) = (material, has_root) {
-            self.shade(&*material.shader, root, states, results);
+            self.shade(&*material.shader, number, root, states, results);
         }
     }
 
+    /// Shades points by the shader with these links.
     fn shade(
         &mut self,
         shader: &dyn Shade,
+        links: usize,
         root: RootKind,
         states: &[State],
         results: &mut [Shaded],
     ) {
         self.points += states.len() as u64;
         let before = self.clock.switch(Who::Shader);
-        shader.shade(root, states, self, results);
+        let all = Arc::clone(&self.links);
+        shader.shade_linked(root, states, &all[links], self, results);
         self.clock.switch(before);
     }
 
     /// Answers the rays that missed. An environment shader's own rays see none: it would never end.
-    fn look_up_environment(&mut self, rays: &[Ray], answers: &mut [Answer], scratch: &mut Scratch) {
+    fn look_up_environment(
+        &mut self,
+        states: &[State],
+        rays: &[Ray],
+        answers: &mut [Answer],
+        scratch: &mut Scratch,
+    ) {
         let scene = self.scene;
         let Some(environment) = &scene.environment else { return };
-        let Scratch { missed, states, results, .. } = scratch;
-        missed.retain(|(slot, _)| rays[*slot as usize].state.ray_type != RayType::Environment);
+        let Scratch { missed, states: lookups, results, .. } = scratch;
+        let from = |slot: u32| &states[rays[slot as usize].point as usize];
+        missed.retain(|(slot, _)| from(*slot).ray_type != RayType::Environment);
         self.counts.environment += missed.len() as u64;
         let answer = |color, ok| Answer { color, ok, hit: false, distance: 0.0 };
         let Environment::Shader(shader) = environment else {
@@ -221,24 +260,23 @@ impl<'s> Context<'s> {
         if !shader.has_root(RootKind::Environment) {
             return;
         }
+        let links = scene.materials.len();
         for batch in missed.chunks(self.batch) {
-            states.clear();
-            states.extend(
-                batch
-                    .iter()
-                    .map(|&(slot, direction)| environment_state(&rays[slot as usize], direction)),
-            );
+            lookups.clear();
+            lookups.extend(batch.iter().map(|&(slot, direction)| {
+                environment_state(from(slot), &rays[slot as usize], direction)
+            }));
             results.clear();
-            results.resize(states.len(), Shaded::default());
-            self.shade(&**shader, RootKind::Environment, states, results);
+            results.resize(lookups.len(), Shaded::default());
+            self.shade(&**shader, links, RootKind::Environment, lookups, results);
             for (&(slot, _), result) in batch.iter().zip(&*results) {
                 answers[slot as usize] = answer(result.color, result.ok);
             }
         }
     }
 
-    /// The list of the lights called `names`, of all lights without a name. Each is looked for once;
-    /// no thread waits for another to know it.
+    /// The list of the lights called `names`, of all lights without a name. Shaders link once in each
+    /// context, so no thread waits for another.
     pub(super) fn list_of(&mut self, names: &[String]) -> LightList {
         let known = self.light_lists.iter().position(|(of, _)| of == names);
         let at = known.unwrap_or_else(|| {

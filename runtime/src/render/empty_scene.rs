@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use phenomenon_compiler::effects::{Answer, NoScene, Ray, Renderer, TextureId, Trace};
+use phenomenon_compiler::state::State;
 use phenomenon_compiler::values::Texture;
 
 use crate::texture::{TextureError, Textures};
@@ -25,8 +26,8 @@ impl EmptyScene {
 }
 
 impl Renderer for EmptyScene {
-    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
-        NoScene.trace(trace, rays, answers);
+    fn trace(&mut self, trace: Trace, states: &[State], rays: &[Ray], answers: &mut [Answer]) {
+        NoScene.trace(trace, states, rays, answers);
     }
 
     fn texture(&mut self, texture: &Texture) -> TextureId {

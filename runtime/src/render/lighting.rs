@@ -1,7 +1,7 @@
 //! What lights send to points, after shadows.
 
 use glam::DVec3;
-use phenomenon_compiler::effects::{LightList, LightSample};
+use phenomenon_compiler::effects::{LightList, LightSample, Points};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::{RayType, State};
 
@@ -24,7 +24,7 @@ impl Context<'_> {
         &mut self,
         list: LightList,
         iteration: usize,
-        points: &[State],
+        points: Points<'_>,
         samples: &mut [LightSample],
     ) {
         let Some(&number) = self.lights_of(list).get(iteration) else {
@@ -49,7 +49,7 @@ impl Context<'_> {
     pub(super) fn light_points(
         &mut self,
         token: u64,
-        points: &[State],
+        points: Points<'_>,
         colors: &mut [[f32; 3]],
         scratch: &mut Scratch,
     ) {
@@ -128,7 +128,7 @@ impl Context<'_> {
         &mut self,
         light: &Light,
         number: u32,
-        points: &[State],
+        points: Points<'_>,
         colors: &mut [[f32; 3]],
         scratch: &mut Scratch,
     ) {
@@ -149,7 +149,7 @@ impl Context<'_> {
                         shadow_state(
                             self.scene,
                             light,
-                            &points[occluder.point as usize],
+                            points.get(occluder.point as usize),
                             occluder,
                             site,
                         )

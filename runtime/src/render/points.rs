@@ -41,8 +41,7 @@ pub(super) fn precise_point(state: &State) -> DVec3 {
 /// The ray asked for at a point: it leaves the surface if it starts at the point, else it starts in
 /// space as given. None where the start is not finite.
 #[inline]
-pub(super) fn prepared(ray: &Ray, direction: [f32; 3]) -> Option<PreparedRay> {
-    let state = &ray.state;
+pub(super) fn prepared(state: &State, ray: &Ray, direction: [f32; 3]) -> Option<PreparedRay> {
     if !ray.origin.iter().all(|x| x.is_finite()) {
         return None;
     }
@@ -52,10 +51,10 @@ pub(super) fn prepared(ray: &Ray, direction: [f32; 3]) -> Option<PreparedRay> {
     })
 }
 
-/// What a ray hands on to the point it hits, levels and path already counted up.
+/// What a ray from a point hands on to the point it hits, levels and path already counted up.
 #[inline]
-pub(super) fn child(ray: &Ray, ray_type: RayType) -> State {
-    let mut state = ray.state;
+pub(super) fn child(from: &State, ray: &Ray, ray_type: RayType) -> State {
+    let mut state = *from;
     state.ray_type = ray_type;
     // The shader there starts a list of its own.
     state.incoming = [0.0; 4];
@@ -89,9 +88,15 @@ pub(super) fn place(state: &mut State, surface: &Surface, inside: bool, directio
 
 /// The state at the point a ray hit.
 #[inline]
-pub(super) fn hit_state(scene: &Scene, ray: &Ray, ray_type: RayType, waiting: &Waiting) -> State {
+pub(super) fn hit_state(
+    scene: &Scene,
+    from: &State,
+    ray: &Ray,
+    ray_type: RayType,
+    waiting: &Waiting,
+) -> State {
     let surface = scene.surface(waiting.origin, double(waiting.direction), &waiting.hit);
-    let mut state = child(ray, ray_type);
+    let mut state = child(from, ray, ray_type);
     place(&mut state, &surface, waiting.hit.inside, waiting.direction);
     state.origin = single(waiting.origin);
     state.dist = waiting.hit.t as f32;
@@ -108,11 +113,11 @@ pub(super) fn note(scene: &Scene, hit: &RawHit, surface: &Surface) -> Hit {
 }
 
 /// The state of an environment lookup.
-pub(super) fn environment_state(ray: &Ray, direction: [f32; 3]) -> State {
-    let mut state = child(ray, RayType::Environment);
-    state.origin = ray.state.point;
+pub(super) fn environment_state(from: &State, ray: &Ray, direction: [f32; 3]) -> State {
+    let mut state = child(from, ray, RayType::Environment);
+    state.origin = from.point;
     state.direction = direction;
-    state.point = ray.state.point;
+    state.point = from.point;
     state.normal = direction.map(|x| -x);
     state.normal_geom = state.normal;
     state.dot_nd = -1.0;

@@ -1,7 +1,7 @@
 //! The renderer as shaders see it: what they may ask of a context.
 
 use phenomenon_compiler::effects::{
-    Answer, LightList, LightSample, Ray, Renderer, TextureId, Trace,
+    Answer, LightList, LightSample, Points, Ray, Renderer, TextureId, Trace,
 };
 use phenomenon_compiler::state::{RayType, State};
 use phenomenon_compiler::values::Texture;
@@ -11,21 +11,21 @@ use super::context::Context;
 use super::points::{prepared, unit_direction};
 
 impl Renderer for Context<'_> {
-    fn trace(&mut self, trace: Trace, rays: &[Ray], answers: &mut [Answer]) {
+    fn trace(&mut self, trace: Trace, states: &[State], rays: &[Ray], answers: &mut [Answer]) {
         let ray_type = match trace {
             Trace::Reflection => RayType::Reflection,
             Trace::Refraction => RayType::Refraction,
             Trace::Transparent => RayType::Transparent,
             Trace::Environment => RayType::Environment,
             Trace::Probe => {
-                return self.nested(|context, _| context.probe(rays, answers));
+                return self.nested(|context, _| context.probe(states, rays, answers));
             }
         };
         answers.fill(Answer::default());
         self.nested(|context, scratch| {
             let batch = context.batch;
             for (rays, answers) in rays.chunks(batch).zip(answers.chunks_mut(batch)) {
-                context.trace_queue(ray_type, rays, answers, scratch);
+                context.trace_queue(ray_type, states, rays, answers, scratch);
             }
         });
     }
@@ -57,7 +57,7 @@ impl Renderer for Context<'_> {
         &mut self,
         list: LightList,
         iteration: usize,
-        points: &[State],
+        points: Points<'_>,
         samples: &mut [LightSample],
     ) {
         let before = self.clock.switch(Who::Renderer);
@@ -65,16 +65,16 @@ impl Renderer for Context<'_> {
         self.clock.switch(before);
     }
 
-    fn light_colors(&mut self, points: &[State], tokens: &[u64], colors: &mut [[f32; 3]]) {
+    fn light_colors(&mut self, points: Points<'_>, tokens: &[u64], colors: &mut [[f32; 3]]) {
         colors.fill([0.0; 3]);
         self.nested(|context, scratch| {
             let batch = context.batch;
             let mut from = 0;
             for tokens in tokens.chunk_by(|a, b| a == b) {
-                let same = from..from + tokens.len();
-                from = same.end;
-                let (points, colors) = (&points[same.clone()], &mut colors[same]);
-                for (points, colors) in points.chunks(batch).zip(colors.chunks_mut(batch)) {
+                let colors = &mut colors[from..from + tokens.len()];
+                for colors in colors.chunks_mut(batch) {
+                    let points = points.part(from..from + colors.len());
+                    from += colors.len();
                     context.light_points(tokens[0], points, colors, scratch);
                 }
             }
@@ -84,11 +84,13 @@ impl Renderer for Context<'_> {
 
 impl Context<'_> {
     /// Looks for the next surface, and shades nothing.
-    fn probe(&mut self, rays: &[Ray], answers: &mut [Answer]) {
+    fn probe(&mut self, states: &[State], rays: &[Ray], answers: &mut [Answer]) {
         for (ray, answer) in rays.iter().zip(answers) {
             *answer = Answer::default();
             let Some(direction) = unit_direction(ray.direction) else { continue };
-            let Some(prepared) = prepared(ray, direction) else { continue };
+            let Some(prepared) = prepared(&states[ray.point as usize], ray, direction) else {
+                continue;
+            };
             self.counts.probe += 1;
             if let Some(hit) = self.scene.intersect(&prepared, f64::INFINITY) {
                 *answer = Answer { color: [0.0; 4], ok: true, hit: true, distance: hit.t as f32 };

@@ -236,6 +236,8 @@ struct Painter<'s> {
     context: Context<'s>,
     /// Sums of the samples. A sum of 2^20 numbers of 24 bits needs 44: in 64 bits none is lost.
     pixels: Vec<[f64; 4]>,
+    /// Of each ray, what its whole path shares.
+    states: Vec<State>,
     rays: Vec<Ray>,
     answers: Vec<Answer>,
     /// Pixel of the tile that each ray belongs to.
@@ -244,8 +246,8 @@ struct Painter<'s> {
 
 impl<'s> Painter<'s> {
     fn new(context: Context<'s>) -> Self {
-        let (rays, answers) = (Vec::new(), Vec::new());
-        Self { context, pixels: Vec::new(), rays, answers, owners: Vec::new() }
+        let (states, rays, answers) = (Vec::new(), Vec::new(), Vec::new());
+        Self { context, pixels: Vec::new(), states, rays, answers, owners: Vec::new() }
     }
 
     fn paint(&mut self, settings: &Settings, tile: &Tile) {
@@ -255,8 +257,11 @@ impl<'s> Painter<'s> {
                 self.pixels.push([0.0; 4]);
                 for sample in 0..settings.samples {
                     self.owners.push(self.pixels.len() - 1);
-                    let ray = camera_ray(self.context.scene, settings, column, row, sample);
-                    self.rays.push(ray);
+                    let state = camera_state(self.context.scene, settings, column, row, sample);
+                    let State { origin, direction, .. } = state;
+                    let point = self.states.len() as u32;
+                    self.states.push(state);
+                    self.rays.push(Ray { point, origin, direction, site: 0 });
                     if self.rays.len() == CAMERA_QUEUE {
                         self.flush();
                     }
@@ -274,7 +279,7 @@ impl<'s> Painter<'s> {
         self.answers.clear();
         self.answers.resize(self.rays.len(), Answer::default());
         self.context.clock.start_queue();
-        self.context.trace_camera_rays(&self.rays, &mut self.answers);
+        self.context.trace_camera_rays(&self.states, &self.rays, &mut self.answers);
         self.context.clock.end_queue();
         for (owner, answer) in self.owners.iter().zip(&self.answers) {
             if answer.ok {
@@ -284,6 +289,7 @@ impl<'s> Painter<'s> {
                 }
             }
         }
+        self.states.clear();
         self.rays.clear();
         self.owners.clear();
     }
@@ -299,11 +305,12 @@ impl<'s> Painter<'s> {
     }
 }
 
-fn camera_ray(scene: &Scene, settings: &Settings, column: u32, row: u32, sample: u32) -> Ray {
+/// What the path of a sample starts with.
+fn camera_state(scene: &Scene, settings: &Settings, column: u32, row: u32, sample: u32) -> State {
     let [x, y] = pixel_position(settings.seed, column, row, sample, settings.samples);
     let raster = [column as f32 + x, row as f32 + y];
     let (origin, direction) = scene.camera.ray(raster, settings.width, settings.height);
-    let state = State {
+    State {
         origin,
         direction,
         point: origin,
@@ -311,6 +318,5 @@ fn camera_ray(scene: &Scene, settings: &Settings, column: u32, row: u32, sample:
         raster,
         path: path_key(settings.seed, column, row, sample),
         ..State::default()
-    };
-    Ray { state, origin, direction, site: 0 }
+    }
 }

@@ -156,10 +156,7 @@ impl SceneBuilder {
     /// Opens the textures and builds the tree. Objects whose material does not exist are shaded by nothing: black.
     pub fn build(self) -> Result<Scene, SceneError> {
         let mut textures = Textures::default();
-        let environment = match &self.environment {
-            Some(Environment::Shader(shader)) => Some(shader),
-            _ => None,
-        };
+        let environment = self.environment.as_ref().and_then(Environment::shader);
         for shader in self.materials.iter().chain(environment) {
             for texture in shader.textures() {
                 textures.open(&texture)?;

@@ -128,7 +128,7 @@ fn environment_shaders_see_the_direction_and_never_recurse() {
     let state = State::default();
     let rays: Vec<_> = (0..8).map(|at| ask(&state, [0.0, 1.0 - at as f32, 0.0], at)).collect();
     let mut answers = vec![Answer::default(); 8];
-    context.trace(Trace::Environment, &rays, &mut answers);
+    context.trace(Trace::Environment, &[state], &rays, &mut answers);
     assert_eq!(answers[0], Answer { color: [0.0, 1.0, 0.0, 1.0], ok: true, ..Answer::default() });
     // A zero direction sees nothing.
     assert_eq!(answers[1], Answer::default());
@@ -156,7 +156,7 @@ fn children_inherit_the_media_and_get_keys_of_their_own() {
     };
     let rays = [1, 2].map(|site| ask(&state, [0.0, 0.0, -1.0], site));
     let mut answers = [Answer::default(); 2];
-    context.trace(Trace::Refraction, &rays, &mut answers);
+    context.trace(Trace::Refraction, &[state], &rays, &mut answers);
     let seen = seen.lock().unwrap();
     for child in &*seen {
         assert_eq!((child.ior, child.ior_in, child.time), (1.5, 1.25, 0.5));

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::effects::{LightList, LightSample, Renderer};
+use phenomenon_compiler::effects::{LightList, LightSample, Points, Renderer};
 use phenomenon_compiler::state::{RayType, State};
 use phenomenon_runtime::geometry::{Mesh, ShadowTerminator, Transform};
 use phenomenon_runtime::lights::{Light, LightKind};
@@ -36,7 +36,7 @@ fn colors(scene: &Scene, names: &[&str], iteration: usize, points: &[State]) -> 
     let list = context.light_list(&names);
     let mut colors = vec![[9.0; 3]; points.len()];
     let tokens = tokens(&mut context, list, iteration, points);
-    context.light_colors(points, &tokens, &mut colors);
+    context.light_colors(points.into(), &tokens, &mut colors);
     colors
 }
 
@@ -48,7 +48,7 @@ fn tokens(
     points: &[State],
 ) -> Vec<u64> {
     let mut samples = vec![LightSample::default(); points.len()];
-    context.light_samples(list, iteration, points, &mut samples);
+    context.light_samples(list, iteration, points.into(), &mut samples);
     samples.iter().map(|sample| sample.token).collect()
 }
 
@@ -81,11 +81,13 @@ fn lights_are_listed_by_name_in_the_order_given() {
     // Asked again, a renderer gives the same number: it looks for names once.
     assert_eq!(context.light_list(&name(&["lamp", "sun"])), swapped);
     let mut samples = [LightSample::default()];
-    context.light_samples(swapped, 0, &[floor_state(0.0)], &mut samples);
+    let floor = [floor_state(0.0)];
+    let floor = Points::from(&floor[..]);
+    context.light_samples(swapped, 0, floor, &mut samples);
     assert_eq!((samples[0].direction, samples[0].distance), ([0.0, 1.0, 0.0], 4.0));
-    context.light_samples(all, 0, &[floor_state(0.0)], &mut samples);
+    context.light_samples(all, 0, floor, &mut samples);
     assert_eq!((samples[0].distance, samples[0].reachable), (0.0, true));
-    context.light_samples(all, 7, &[floor_state(0.0)], &mut samples);
+    context.light_samples(all, 7, floor, &mut samples);
     assert!(!samples[0].reachable);
 }
 
@@ -128,7 +130,7 @@ fn behind_anything_opaque_no_filter_is_asked() {
     let list = context.light_list(&[]);
     let mut colors = [[1.0; 3]];
     let tokens = tokens(&mut context, list, 0, &[floor_state(0.0)]);
-    context.light_colors(&[floor_state(0.0)], &tokens, &mut colors);
+    context.light_colors((&[floor_state(0.0)][..]).into(), &tokens, &mut colors);
     assert_eq!(colors[0], [0.0; 3]);
     assert_eq!((context.counts().shadow, context.points()), (1, 0));
 }
@@ -146,7 +148,7 @@ fn the_second_filter_is_not_asked_once_the_first_is_black() {
     let list = context.light_list(&[]);
     let mut colors = [[1.0; 3]];
     let tokens = tokens(&mut context, list, 0, &[floor_state(0.0)]);
-    context.light_colors(&[floor_state(0.0)], &tokens, &mut colors);
+    context.light_colors((&[floor_state(0.0)][..]).into(), &tokens, &mut colors);
     assert_eq!((colors[0], context.points()), ([0.0; 3], 1));
 }
 

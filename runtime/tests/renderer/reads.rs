@@ -108,21 +108,20 @@ fn rays_see_the_same_from_a_poisoned_state() {
     assert!(points.len() > 200);
     for trace in Trace::ALL {
         let answers = |poison: bool| {
-            let rays: Vec<Ray> = points
-                .iter()
-                .map(|point| {
-                    let reads = Effect::from(trace).reads();
-                    let state = if poison { poisoned(point, reads) } else { *point };
-                    let direction = match trace {
-                        Trace::Transparent => point.direction,
-                        _ => point.normal,
-                    };
-                    Ray { state, origin: point.point, direction, site: 5 }
-                })
-                .collect();
+            let reads = Effect::from(trace).reads();
+            let state = |point: &State| if poison { poisoned(point, reads) } else { *point };
+            let states: Vec<State> = points.iter().map(state).collect();
+            let ray = |(number, point): (u32, &State)| {
+                let direction = match trace {
+                    Trace::Transparent => point.direction,
+                    _ => point.normal,
+                };
+                Ray { point: number, origin: point.point, direction, site: 5 }
+            };
+            let rays: Vec<Ray> = (0..).zip(&points).map(ray).collect();
             let mut context = Context::new(&scene, 64);
             let mut answers = vec![Answer::default(); rays.len()];
-            context.trace(trace, &rays, &mut answers);
+            context.trace(trace, &states, &rays, &mut answers);
             assert!(answers.iter().any(|answer| answer.ok), "{trace:?}");
             (answers, context.counts())
         };
@@ -140,10 +139,10 @@ fn light_is_the_same_from_a_poisoned_state() {
         let mut context = Context::new(&scene, 64);
         let list = context.light_list(&[]);
         let mut samples = vec![LightSample::default(); points.len()];
-        context.light_samples(list, 0, &poison(of_samples), &mut samples);
+        context.light_samples(list, 0, poison(of_samples)[..].into(), &mut samples);
         let tokens: Vec<u64> = samples.iter().map(|sample| sample.token).collect();
         let mut colors = vec![[0.0; 3]; points.len()];
-        context.light_colors(&poison(of_colors), &tokens, &mut colors);
+        context.light_colors(poison(of_colors)[..].into(), &tokens, &mut colors);
         (samples, colors, context.counts())
     };
     let expected = lit(Field::ALL, Field::ALL);

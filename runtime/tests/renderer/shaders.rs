@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex};
 
 use phenomenon_compiler::effects::{Answer, Effect, EffectSet, LightSample, Ray, Renderer, Trace};
-use phenomenon_compiler::engine::{Shade, Shaded};
+use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
 use phenomenon_runtime::camera::Camera;
@@ -63,10 +63,11 @@ impl Shade for Hand {
         Effect::ALL.into_iter().collect()
     }
 
-    fn shade(
+    fn shade_linked(
         &self,
         root: RootKind,
         points: &[State],
+        _: &Links,
         renderer: &mut dyn Renderer,
         results: &mut [Shaded],
     ) {
@@ -106,9 +107,9 @@ pub fn bent(state: &State, ior: f32) -> [f32; 3] {
     [0, 1, 2].map(|k| eta * state.direction[k] + along * state.normal[k])
 }
 
-/// A request from a point along a direction.
+/// A request along a direction, from the only point there is.
 pub fn ask(state: &State, direction: [f32; 3], site: u64) -> Ray {
-    Ray { state: *state, origin: state.point, direction, site }
+    Ray { point: 0, origin: state.point, direction, site }
 }
 
 /// Traces one ray per point, all at once or one by one as `together` says.
@@ -119,13 +120,16 @@ pub fn trace(
     together: bool,
     direction: impl Fn(&State) -> [f32; 3],
 ) -> Vec<Answer> {
-    let rays: Vec<Ray> = points.iter().map(|point| ask(point, direction(point), 7)).collect();
+    let ray =
+        |(number, state): (u32, &State)| Ray { point: number, ..ask(state, direction(state), 7) };
+    let rays: Vec<Ray> = (0..).zip(points).map(ray).collect();
     let mut answers = vec![Answer::default(); rays.len()];
     if together {
-        renderer.trace(kind, &rays, &mut answers);
+        renderer.trace(kind, points, &rays, &mut answers);
     } else {
         for (ray, answer) in rays.iter().zip(&mut answers) {
-            renderer.trace(kind, std::slice::from_ref(ray), std::slice::from_mut(answer));
+            let (ray, answer) = (std::slice::from_ref(ray), std::slice::from_mut(answer));
+            renderer.trace(kind, points, ray, answer);
         }
     }
     answers
@@ -171,9 +175,9 @@ pub fn matte(together: bool) -> Arc<Hand> {
             for (points, results) in points.chunks(size).zip(results.chunks_mut(size)) {
                 let mut samples = vec![Default::default(); points.len()];
                 let mut colors = vec![[0.0; 3]; points.len()];
-                renderer.light_samples(list, light, points, &mut samples);
+                renderer.light_samples(list, light, points.into(), &mut samples);
                 let tokens: Vec<u64> = samples.iter().map(|it: &LightSample| it.token).collect();
-                renderer.light_colors(points, &tokens, &mut colors);
+                renderer.light_colors(points.into(), &tokens, &mut colors);
                 for (at, point) in points.iter().enumerate() {
                     let cosine = dot(samples[at].direction, point.normal).max(0.0);
                     let even = (point.point[0].floor() + point.point[2].floor()) as i32 % 2 == 0;

@@ -54,7 +54,7 @@ fn leaves_cleanly(states: &[State], builder: SceneBuilder, what: &str) {
             let side = dot(direction, state.normal_geom);
             let outwards = if state.inv_normal { -side } else { side };
             let mut answer = [Answer::default()];
-            context.trace(Trace::Probe, &[ask(state, direction, 0)], &mut answer);
+            context.trace(Trace::Probe, &[*state], &[ask(state, direction, 0)], &mut answer);
             if outwards > 0.0 {
                 assert!(!answer[0].hit, "{what}: acne at {:?} towards {direction:?}", state.point);
             } else if !grazing {
@@ -102,7 +102,7 @@ fn meshes_far_from_the_origin_have_no_acne() {
             let mut answers = [Answer::default(); 2];
             let inwards = state.normal_geom.map(|x| -x);
             let rays = [ask(state, state.normal_geom, 0), ask(state, inwards, 0)];
-            context.trace(Trace::Probe, &rays, &mut answers);
+            context.trace(Trace::Probe, &[*state], &rays, &mut answers);
             assert!(!answers[0].hit, "acne at {:?}", state.point);
             assert!(answers[1].hit && answers[1].distance > scale as f32 * 0.1, "{answers:?}");
         }
@@ -166,7 +166,7 @@ fn a_sphere_at_a_grazing_angle_is_met_at_its_rim() {
         let mut ray = ask(&base, [0.0, 0.0, -1.0], 0);
         ray.origin = start;
         let mut answers = [Answer::default()];
-        context.trace(Trace::Reflection, &[ray], &mut answers);
+        context.trace(Trace::Reflection, &[base], &[ray], &mut answers);
         assert!(answers[0].hit, "{height}");
         let state = *seen.lock().unwrap().last().unwrap();
         assert!((state.point[1] - height).abs() < 1e-6 && state.dot_nd < 0.0);
@@ -176,7 +176,7 @@ fn a_sphere_at_a_grazing_angle_is_met_at_its_rim() {
     let mut ray = ask(&base, [0.0, 0.0, -1.0], 0);
     ray.origin = [0.0, 1f32.next_up(), 1000.0];
     let mut answers = [Answer::default()];
-    context.trace(Trace::Reflection, &[ray], &mut answers);
+    context.trace(Trace::Reflection, &[base], &[ray], &mut answers);
     assert!(!answers[0].hit);
 }
 
@@ -191,7 +191,7 @@ fn directions_of_any_length_are_normalised_and_impossible_ones_miss() {
     let above = State { point: [0.1, 2.0, 0.2], ..State::default() };
     let mut answer = |direction: [f32; 3], kind| {
         let mut answers = [Answer { ok: true, ..Answer::default() }];
-        context.trace(kind, &[ask(&above, direction, 0)], &mut answers);
+        context.trace(kind, &[above], &[ask(&above, direction, 0)], &mut answers);
         answers[0]
     };
     for length in [1.0, 1e-38, f32::MAX, f32::from_bits(1)] {

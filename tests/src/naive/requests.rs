@@ -32,7 +32,8 @@ impl Evaluation<'_> {
         };
         let site = self.site(&self.naive.nodes[node].name, at);
         let mut answers = [Answer::default()];
-        self.renderer.trace(trace, &[Ray { state, origin, direction, site }], &mut answers);
+        let ray = Ray { point: 0, origin, direction, site };
+        self.renderer.trace(trace, &[state], &[ray], &mut answers);
         let [Answer { color, ok, hit, distance }] = answers;
         let truth = |value: bool| if value { u32::MAX } else { 0 };
         let [r, g, b, a] = color.map(f32::to_bits);
@@ -83,7 +84,7 @@ impl Evaluation<'_> {
             None => {
                 let state = self.state(&LIGHT_READS, at)?;
                 let mut colors = [[0.0; 3]];
-                self.renderer.light_colors(&[state], &[token], &mut colors);
+                self.renderer.light_colors([state][..].into(), &[token], &mut colors);
                 self.light_colors.insert((list, number, shared), colors[0]);
                 colors[0]
             }

@@ -58,7 +58,7 @@ impl Evaluation<'_> {
         let count = self.renderer.light_count(list);
         for turn in 0..count {
             let mut samples = [LightSample::default()];
-            self.renderer.light_samples(list, turn, &[state], &mut samples);
+            self.renderer.light_samples(list, turn, [state][..].into(), &mut samples);
             let [sample] = samples;
             if sample.reachable {
                 let fields = vec![

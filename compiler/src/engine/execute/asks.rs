@@ -14,7 +14,7 @@ impl Run<'_> {
     pub(super) fn request(&mut self, request: &Request) {
         let site = self.key(request.site, &request.loops);
         let (effect, subject) = (request.effect, request.subject);
-        let Some(question) = Question::of(effect, subject, site, self.textures) else { return };
+        let Some(question) = Question::of(effect, subject, site, self.links) else { return };
         let mut chosen = std::mem::take(&mut self.memory.chosen);
         if let Subject::Light { of, table } = subject {
             self.take_known(request, of, table, &mut chosen);
@@ -29,9 +29,10 @@ impl Run<'_> {
     fn ask(&mut self, request: &Request, question: Question, points: &[usize]) {
         let mut asking = std::mem::take(&mut self.memory.asking);
         asking.clear();
-        if !request.effect.reads().is_empty() {
+        asking.numbers.extend(points.iter().map(|&point| point as u32));
+        if !request.context.is_empty() {
             let scoped = |&point: &usize| self.scoped(point, &request.context);
-            asking.states.extend(points.iter().map(scoped));
+            asking.scoped.extend(points.iter().map(scoped));
         }
         if let Subject::Light { of, .. } = request.subject {
             asking.tokens.extend(points.iter().map(|&point| self.memory.tokens[of][point]));
@@ -39,7 +40,7 @@ impl Run<'_> {
         for &point in points {
             asking.arguments.extend(request.words.iter().map(|source| self.word(*source, point)));
         }
-        asking.ask(question, self.renderer);
+        asking.ask(question, self.points, self.renderer);
         let width = request.outputs as usize;
         for (&point, words) in points.iter().zip(asking.answers.chunks_exact(width)) {
             for (slot, word) in (request.output..).zip(words) {

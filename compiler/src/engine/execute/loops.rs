@@ -26,7 +26,10 @@ impl Run<'_> {
             }
         }
         let count = match &of.turns {
-            Turns::Lights { list } => self.renderer.light_count(self.lists[*list]),
+            Turns::Lights { list } => {
+                let list = self.links.light_list(*list);
+                list.map_or(0, |list| self.renderer.light_count(list))
+            }
             Turns::Samples { count, .. } => {
                 chosen.iter().map(|&point| turns_of(self.word(*count, point))).max().unwrap_or(0)
             }
@@ -96,7 +99,7 @@ impl Run<'_> {
         let chosen = std::mem::take(&mut self.memory.chosen);
         let mut turning = std::mem::take(&mut self.memory.turning);
         let turn = self.gather(of, number, &chosen, &mut turning);
-        turning.turn(turn, self.renderer);
+        turning.turn(turn, self.points, self.renderer);
         let first = self.mask(of.region, 0);
         self.memory.todo[first..first + self.blocks].fill(0);
         self.memory.tokens[at].resize(self.blocks * LANES, 0);
@@ -120,9 +123,12 @@ impl Run<'_> {
         turning.clear();
         match &of.turns {
             Turns::Lights { list } => {
-                let scoped = |&point: &usize| self.scoped(point, &of.context);
-                turning.states.extend(points.iter().map(scoped));
-                Turn::OfLights(self.lists[*list], number)
+                turning.numbers.extend(points.iter().map(|&point| point as u32));
+                if !of.context.is_empty() {
+                    let scoped = |&point: &usize| self.scoped(point, &of.context);
+                    turning.scoped.extend(points.iter().map(scoped));
+                }
+                Turn::OfLights(self.links.light_list(*list), number)
             }
             Turns::Samples { count, site, loops } => {
                 let path =

@@ -1,12 +1,13 @@
 //! The regions of a schedule, over a batch of points.
 
-use cranelift_entity::{EntityRef, PrimaryMap};
+use cranelift_entity::EntityRef;
 
-use crate::effects::{LightList, Renderer, TextureId};
+use crate::effects::Renderer;
+use crate::engine::links::Linked;
 use crate::engine::runner::Runner;
 use crate::engine::shade::Shaded;
 use crate::schedule::{Item, RegionId, Schedule};
-use crate::specialise::{Context, LightListId, TexturePosition};
+use crate::specialise::Context;
 use crate::state::{Field, State};
 use crate::storage::{FileShape, LANES, Lanes, Source};
 
@@ -34,9 +35,10 @@ impl Program<'_> {
     }
 
     /// Shades `points` and writes one result each.
-    pub fn run(
+    pub(in crate::engine) fn run(
         &self,
         points: &[State],
+        links: Linked<'_>,
         renderer: &mut dyn Renderer,
         results: &mut [Shaded],
         memory: &mut Memory,
@@ -45,23 +47,10 @@ impl Program<'_> {
         let block_bytes = shape.slots.max(1) * size_of::<Lanes>();
         let most = self.batch.div_ceil(LANES).min(MAX_FILE_BYTES / block_bytes).max(1) * LANES;
         let chunk = most.min(self.batch.max(1));
-        let lists = self.schedule.light_lists.values();
-        let lists = lists.map(|names| renderer.light_list(names)).collect();
-        let textures = self.schedule.textures.values();
-        let textures = textures.map(|texture| renderer.texture(texture)).collect();
         for (points, results) in points.chunks(chunk).zip(results.chunks_mut(chunk)) {
             let blocks = points.len().div_ceil(LANES);
             memory.fit(self.schedule, self.uniforms, shape, blocks);
-            let mut run = Run {
-                program: self,
-                shape,
-                points,
-                blocks,
-                lists: &lists,
-                textures: &textures,
-                renderer,
-                memory,
-            };
+            let mut run = Run { program: self, shape, points, blocks, links, renderer, memory };
             run.load();
             run.regions();
             run.store(results);
@@ -75,8 +64,7 @@ pub(super) struct Run<'a> {
     pub(super) shape: FileShape,
     pub(super) points: &'a [State],
     pub(super) blocks: usize,
-    pub(super) lists: &'a PrimaryMap<LightListId, LightList>,
-    pub(super) textures: &'a PrimaryMap<TexturePosition, TextureId>,
+    pub(super) links: Linked<'a>,
     pub(super) renderer: &'a mut dyn Renderer,
     pub(super) memory: &'a mut Memory,
 }

@@ -27,17 +27,16 @@ impl Walk<'_> {
             }
         }
         let site = self.memory.key(request.site, &request.loops);
-        let question = Question::of(request.effect, request.subject, site, self.textures);
+        let question = Question::of(request.effect, request.subject, site, self.links);
         let Some(question) = question else { return };
         let Memory { asking, words, tables, .. } = &mut *self.memory;
         asking.clear();
-        if !request.effect.reads().is_empty() {
-            asking.states.push(request.scope.applied(code, words, state));
-        }
+        asking.numbers.push(0);
+        asking.scoped.extend(request.scope.applied(code, words, state));
         asking.tokens.extend(token);
         let arguments = step.words.of(&code.places).iter();
         asking.arguments.extend(arguments.map(|place| words[*place as usize]));
-        asking.ask(question, self.renderer);
+        asking.ask(question, std::slice::from_ref(state), self.renderer);
         words[answer].copy_from_slice(&asking.answers);
         if let Some((table, turn, pass)) = sample {
             tables[table].keep(turn, pass, &asking.answers);

@@ -6,12 +6,11 @@ use crate::effects::Effect;
 use crate::engine::options::Simd;
 use crate::kernels::BodyForms;
 use crate::specialise::{
-    Context, EpochId, Instance, InstanceId, InstanceKind, LightListId, LightTableId, Specialised,
-    Subject, TexturePosition, Turns,
+    Context, EpochId, Instance, InstanceId, InstanceKind, LightTableId, Specialised, Subject, Turns,
 };
 use crate::state::{Field, Reduction};
 use crate::storage::Source;
-use crate::values::{Texture, Type};
+use crate::values::Type;
 
 /// A graph made ready for the walk. Its file holds the uniform words, then the slots, then a word for
 /// the outcome of a guard.
@@ -24,8 +23,6 @@ pub struct Code {
     pub(super) places: Vec<u32>,
     /// State fields in use, each with the place of its first word.
     pub(super) fields: Vec<(Field, usize)>,
-    pub(super) light_lists: PrimaryMap<LightListId, Vec<String>>,
-    pub(super) textures: PrimaryMap<TexturePosition, Texture>,
     /// Words of the file.
     pub(super) words: usize,
     /// Most words a body reads.
@@ -139,8 +136,6 @@ impl Code {
             guards: Vec::new(),
             places: Vec::new(),
             fields: graph.fields.iter().map(slot).collect(),
-            light_lists: graph.light_lists.clone(),
-            textures: graph.textures.clone(),
             words: uniforms + graph.slots as usize + 1,
             most_inputs: 0,
             epochs: graph.epochs.0.len(),

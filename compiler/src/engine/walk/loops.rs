@@ -19,7 +19,10 @@ impl Walk<'_> {
         } else {
             self.reduce(of, step, |words, _| of.reduction.start(of.value_type, words));
             let count = match of.turns {
-                Turns::Lights { list } => self.renderer.light_count(self.lists[list]),
+                Turns::Lights { list } => {
+                    let list = self.links.light_list(list);
+                    list.map_or(0, |list| self.renderer.light_count(list))
+                }
                 Turns::Samples { .. } => turns_of(self.memory.words[of.count]),
             };
             position = LoopPosition { count, running: true, ..LoopPosition::default() };
@@ -27,13 +30,16 @@ impl Walk<'_> {
         let Memory { turning, words, .. } = &mut *self.memory;
         turning.clear();
         match of.turns {
-            Turns::Lights { .. } => turning.states.push(of.scope.applied(code, words, state)),
+            Turns::Lights { .. } => {
+                turning.numbers.push(0);
+                turning.scoped.extend(of.scope.applied(code, words, state));
+            }
             Turns::Samples { .. } => turning.paths.push((state.path, position.count)),
         }
         while position.next < position.count {
             let turn = self.turn(of, position.next);
             let Memory { turning, words, .. } = &mut *self.memory;
-            turning.turn(turn, self.renderer);
+            turning.turn(turn, std::slice::from_ref(state), self.renderer);
             position.next += 1;
             if turning.reached[0] {
                 position.token = turning.tokens[0];
@@ -55,7 +61,7 @@ impl Walk<'_> {
     /// What is asked for a turn of a loop.
     fn turn(&self, of: &Loop, number: usize) -> Turn {
         match &of.turns {
-            Turns::Lights { list } => Turn::OfLights(self.lists[*list], number),
+            Turns::Lights { list } => Turn::OfLights(self.links.light_list(*list), number),
             Turns::Samples { site, loops, .. } => {
                 Turn::OfSamples(number, iteration_key(self.memory.key(*site, loops), number))
             }

@@ -1,13 +1,12 @@
 //! The walk from step to step.
 
-use cranelift_entity::PrimaryMap;
-
 use super::code::{Body, Code, Demand, Kind, Scope, Span, Step};
 use super::memory::{Frame, LoopPosition, Memory};
-use crate::effects::{LightList, Renderer, TextureId};
+use crate::effects::Renderer;
+use crate::engine::links::Linked;
 use crate::engine::requests::iteration_key;
 use crate::engine::shade::Shaded;
-use crate::specialise::{EpochId, InstanceId, LightListId, TexturePosition};
+use crate::specialise::{EpochId, InstanceId};
 use crate::state::{Field, State};
 
 impl Code {
@@ -15,18 +14,17 @@ impl Code {
     ///
     /// Steps that wait stand on an explicit stack, so that no chain is too deep. Nothing is hashed or
     /// allocated for a point, but by portable forms, which look up what their bodies recorded.
-    pub fn run(
+    pub(in crate::engine) fn run(
         &self,
         uniforms: &[u32],
         points: &[State],
+        links: Linked<'_>,
         renderer: &mut dyn Renderer,
         results: &mut [Shaded],
         memory: &mut Memory,
     ) {
-        let lists = self.light_lists.values().map(|names| renderer.light_list(names)).collect();
-        let textures = self.textures.values().map(|texture| renderer.texture(texture)).collect();
         memory.fit(self, uniforms);
-        let mut walk = Walk { code: self, lists: &lists, textures: &textures, renderer, memory };
+        let mut walk = Walk { code: self, links, renderer, memory };
         for (point, result) in points.iter().zip(results) {
             *result = walk.point(point);
         }
@@ -36,8 +34,7 @@ impl Code {
 /// A walk for one point after the other.
 pub(super) struct Walk<'a> {
     pub(super) code: &'a Code,
-    pub(super) lists: &'a PrimaryMap<LightListId, LightList>,
-    pub(super) textures: &'a PrimaryMap<TexturePosition, TextureId>,
+    pub(super) links: Linked<'a>,
     pub(super) renderer: &'a mut dyn Renderer,
     pub(super) memory: &'a mut Memory,
 }
@@ -144,8 +141,11 @@ impl Walk<'_> {
 }
 
 impl Scope {
-    /// The state with the fields that scopes changed.
-    pub(super) fn applied(&self, code: &Code, words: &[u32], state: &State) -> State {
+    /// The state with the fields that scopes changed; none where it is as it was.
+    pub(super) fn applied(&self, code: &Code, words: &[u32], state: &State) -> Option<State> {
+        if self.0.is_empty() {
+            return None;
+        }
         let mut scoped = *state;
         for (field, span) in &self.0 {
             let mut of_field = [0; Field::MOST_WORDS];
@@ -154,7 +154,7 @@ impl Scope {
             }
             field.write(&mut scoped, &of_field);
         }
-        scoped
+        Some(scoped)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 use phenomenon_compiler::effects::{EffectSet, Renderer};
-use phenomenon_compiler::engine::{Shade, Shaded};
+use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
 
@@ -18,7 +18,14 @@ impl<F: Fn(&State) -> Vec4 + Send + Sync> Shade for ByHand<F> {
         EffectSet::NONE
     }
 
-    fn shade(&self, _: RootKind, points: &[State], _: &mut dyn Renderer, results: &mut [Shaded]) {
+    fn shade_linked(
+        &self,
+        _: RootKind,
+        points: &[State],
+        _: &Links,
+        _: &mut dyn Renderer,
+        results: &mut [Shaded],
+    ) {
         for (point, result) in points.iter().zip(results) {
             *result = Shaded { color: self.0(point).into(), ok: true };
         }
