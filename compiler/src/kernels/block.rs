@@ -1,5 +1,7 @@
 //! Recorded operations evaluated block by block: the portable form of a body's wide one.
 
+use std::cell::RefCell;
+
 use super::Recorded;
 use super::eight::{Eight, Eights};
 use crate::emit::scalar::{Bool, F32, I32};
@@ -10,21 +12,26 @@ use crate::storage::{LANES, Lanes, Placement};
 /// Runs over the blocks. Output slots may be input slots too: a block's inputs are read before its
 /// outputs are written.
 pub fn run(recorded: &Recorded, lanes: &mut [Lanes], placement: &Placement<'_>) {
-    let mut words = Vec::with_capacity(recorded.ops.len());
-    for block in 0..placement.blocks {
-        words.clear();
-        for &op in &recorded.ops {
-            let registers = Block { lanes, placement, block, words: &words };
-            let word = apply(op, Eights, &registers);
-            words.push(word);
+    WORDS.with_borrow_mut(|words| {
+        for block in 0..placement.blocks {
+            words.clear();
+            for &op in &recorded.ops {
+                let word = apply(op, Eights, &Block { lanes, placement, block, words });
+                words.push(word);
+            }
+            for (word, &id) in recorded.outputs.iter().enumerate() {
+                lanes[placement.output(word, block)].0 = words[id as usize];
+            }
         }
-        for (word, &id) in recorded.outputs.iter().enumerate() {
-            lanes[placement.output(word, block)].0 = words[id as usize];
-        }
-    }
+    });
 }
 
 type Word = [u32; LANES];
+
+thread_local! {
+    /// What the operations yielded; kept, so that nothing is allocated for a call.
+    static WORDS: RefCell<Vec<Word>> = const { RefCell::new(Vec::new()) };
+}
 
 struct Block<'a> {
     lanes: &'a [Lanes],

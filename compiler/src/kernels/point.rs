@@ -1,5 +1,7 @@
 //! Recorded operations evaluated for one point: the portable form of a body's scalar one.
 
+use std::cell::RefCell;
+
 use super::Recorded;
 use crate::emit::scalar::{Bool, F32, I32, Scalar};
 use crate::ops::apply::{Registers, apply};
@@ -7,19 +9,26 @@ use crate::ops::{Class, OpId};
 
 /// From the input words to the output words.
 pub fn run(recorded: &Recorded, inputs: &[u32], outputs: &mut [u32]) {
-    let mut point = Point { inputs, words: Vec::with_capacity(recorded.ops.len()) };
-    for &op in &recorded.ops {
-        let word = apply(op, Scalar, &point);
-        point.words.push(word);
-    }
-    for (output, &id) in outputs.iter_mut().zip(&recorded.outputs) {
-        *output = point.words[id as usize];
-    }
+    WORDS.with_borrow_mut(|words| {
+        words.clear();
+        for &op in &recorded.ops {
+            let word = apply(op, Scalar, &Point { inputs, words });
+            words.push(word);
+        }
+        for (output, &id) in outputs.iter_mut().zip(&recorded.outputs) {
+            *output = words[id as usize];
+        }
+    });
+}
+
+thread_local! {
+    /// What the operations yielded; kept, so that nothing is allocated for a point.
+    static WORDS: RefCell<Vec<u32>> = const { RefCell::new(Vec::new()) };
 }
 
 struct Point<'a> {
     inputs: &'a [u32],
-    words: Vec<u32>,
+    words: &'a [u32],
 }
 
 impl Registers<Scalar> for Point<'_> {
