@@ -13,7 +13,7 @@ use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::values::Literal;
 use phenomenon_runtime::link::{ShowNodeError, TextValue, ValueError, ValueFault, bind_texts};
 
-use crate::arguments::{self, EngineChoice, Precision, SimdChoice};
+use crate::arguments::{self, EngineChoice, GeneratorChoice, Precision, SimdChoice};
 use crate::failure::Failure;
 use crate::inputs;
 use crate::report;
@@ -24,6 +24,10 @@ pub struct EngineArguments {
     /// What runs the graph; no choice but monolith changes a bit of the result
     #[arg(long, value_enum, default_value_t)]
     pub engine: EngineChoice,
+
+    /// What makes the machine code of the engines auto and jit; without it the best there is on this machine
+    #[arg(long, value_enum, value_name = "GENERATOR")]
+    pub jit: Option<GeneratorChoice>,
 
     /// How exactly
     #[arg(long, value_enum, default_value_t)]
@@ -42,7 +46,13 @@ pub struct EngineArguments {
 impl EngineArguments {
     /// Options of the compiler for one of its engines.
     pub fn options(&self, engine: Engine) -> Options {
-        Options { engine, simd: self.simd.into(), batch: self.batch as usize, ..Options::default() }
+        Options {
+            engine,
+            simd: self.simd.into(),
+            generator: self.jit.map(Into::into),
+            batch: self.batch as usize,
+            ..Options::default()
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use phenomenon_compiler::engine::jit::Generator;
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
 use phenomenon_compiler::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -126,7 +127,7 @@ pub struct Built {
     pub graph: Arc<Graph>,
 }
 
-/// Every engine, with both forms of the bodies and several batch sizes.
+/// Every engine, with both forms of the bodies, both generators of machine code, and several batch sizes.
 pub fn every_engine() -> Vec<Options> {
     let mut all = Vec::new();
     for simd in [Simd::Native, Simd::Portable] {
@@ -134,7 +135,16 @@ pub fn every_engine() -> Vec<Options> {
         all.push(Options { engine: Engine::Auto, simd, batch: 256, ..Options::default() });
         for batch in [1, 7, 256] {
             all.push(Options { engine: Engine::Batch, simd, batch, ..Options::default() });
-            all.push(Options { engine: Engine::Jit, simd, batch, ..Options::default() });
+            for generator in Generator::ALL {
+                let generator = Some(generator);
+                all.push(Options {
+                    engine: Engine::Jit,
+                    simd,
+                    generator,
+                    batch,
+                    ..Options::default()
+                });
+            }
         }
     }
     all

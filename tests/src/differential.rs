@@ -3,6 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
+use phenomenon_compiler::engine::jit::Generator;
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::specialise::{SpecialiseError, expand};
@@ -78,7 +79,10 @@ impl Case {
             batch: random.pick(&[1, 7, 256]),
             ..Options::default()
         };
-        let options = vec![option(Engine::Walk), option(Engine::Batch), option(Engine::Jit)];
+        let mut options = vec![option(Engine::Walk), option(Engine::Batch)];
+        for generator in Generator::ALL {
+            options.push(Options { generator: Some(generator), ..option(Engine::Jit) });
+        }
         Self { graph: Arc::new(graph), values, points, options, naive: true }
     }
 

@@ -1,6 +1,7 @@
 //! Flags with a few fixed values.
 
 use clap::ValueEnum;
+use phenomenon_compiler::engine::jit::Generator;
 use phenomenon_compiler::engine::{Engine, Simd};
 
 /// `--engine`.
@@ -39,6 +40,24 @@ impl EngineChoice {
             EngineChoice::Batch => "batch",
             EngineChoice::Jit => "jit",
             EngineChoice::Monolith => "monolith",
+        }
+    }
+}
+
+/// `--jit`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum GeneratorChoice {
+    /// Ours, eight points wide, for CPUs with AVX2 and FMA
+    Native,
+    /// Cranelift, four points wide
+    Cranelift,
+}
+
+impl From<GeneratorChoice> for Generator {
+    fn from(choice: GeneratorChoice) -> Self {
+        match choice {
+            GeneratorChoice::Native => Generator::Native,
+            GeneratorChoice::Cranelift => Generator::Cranelift,
         }
     }
 }

@@ -11,7 +11,7 @@ mod synonyms;
 
 pub use allowance::allowable;
 pub use assignment::assignment;
-pub use choices::{EngineChoice, Format, Precision, SimdChoice};
+pub use choices::{EngineChoice, Format, GeneratorChoice, Precision, SimdChoice};
 pub use numbers::{batch, exposure, runs, samples, seed, threads, tolerance};
 pub use output::picture;
 pub use region::region;

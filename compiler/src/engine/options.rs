@@ -1,5 +1,6 @@
 //! How a graph is run.
 
+use super::jit::Generator;
 use crate::graph::RootKind;
 
 /// Which engine runs a graph.
@@ -12,7 +13,7 @@ pub enum Engine {
     Walk,
     /// A schedule run by kernels compiled from the node bodies, eight points wide.
     Batch,
-    /// The same schedule with its light parts fused to machine code by Cranelift.
+    /// The same schedule compiled to machine code.
     Jit,
 }
 
@@ -33,6 +34,8 @@ pub struct Options {
     pub engine: Engine,
     /// Which forms of the node bodies.
     pub simd: Simd,
+    /// Who makes the machine code; none: the best there is on the machine.
+    pub generator: Option<Generator>,
     /// Most points shaded at once, at least 1.
     pub batch: usize,
     /// Which roots are compiled; the others are as if the graph had none.
@@ -47,6 +50,7 @@ impl Default for Options {
         Self {
             engine: Engine::Auto,
             simd: Simd::Native,
+            generator: None,
             batch: 256,
             roots: &RootKind::ALL,
             called_rays_only: false,

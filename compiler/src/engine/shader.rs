@@ -13,7 +13,7 @@ use crate::state::{RayType, State};
 use crate::values::{Literal, Texture};
 
 use super::execute::Program;
-use super::jit::{JitCode, JitError, Pieces, Plan, worker};
+use super::jit::{Generator, JitError, Pieces, Plan, worker};
 use super::links::{FirstLinks, Links};
 use super::memory::with_memory;
 use super::options::{Engine, Options, Simd};
@@ -144,8 +144,9 @@ impl Shader {
 
     /// What the jit makes of the schedules of all roots, as text: operations, and steps that stay kernels.
     pub fn print_pieces(&self) -> String {
-        let batch = self.options.batch;
-        self.print_with(|schedule| Pieces::of(schedule, batch).to_string())
+        let Options { batch, generator, .. } = self.options;
+        let generator = generator.unwrap_or(Generator::Native);
+        self.print_with(|schedule| Pieces::of(schedule, batch, generator).to_string())
     }
 
     fn print_with(&self, text: impl Fn(&Schedule) -> String) -> String {
@@ -186,8 +187,13 @@ impl Shader {
             }
         }
         self.programs = programs;
-        if self.options.engine == Engine::Auto && JitCode::available().is_ok() {
-            self.plan_in_background();
+        if self.options.engine == Engine::Auto {
+            match Generator::chosen(self.options.generator) {
+                Ok(generator) => self.plan_in_background(generator),
+                // Who asks for one by name is told; else kernels do.
+                Err(error) if self.options.generator.is_some() => return Err(error.into()),
+                Err(_) => {}
+            }
         }
         self.compile_nanoseconds += start.elapsed().as_nanos() as u64;
         Ok(())
@@ -195,13 +201,13 @@ impl Shader {
 
     /// Compiles machine code while kernels run already, unless the program is gone when its turn
     /// comes. A plan that fails leaves the kernels running: same bits.
-    fn plan_in_background(&self) {
+    fn plan_in_background(&self, generator: Generator) {
         let Options { simd, batch, .. } = self.options;
         for program in &self.programs {
             let code = Arc::downgrade(&program.code);
             worker::enqueue(move || {
                 if let Some(code) = code.upgrade() {
-                    code.plan.get_or_init(|| code.plan(simd, batch).ok().flatten());
+                    code.plan.get_or_init(|| code.plan(simd, batch, generator).ok().flatten());
                 }
             });
         }
@@ -221,7 +227,8 @@ impl Shader {
         let code = Arc::new(RootCode { specialised, walk, schedule, plan: OnceLock::new() });
         match engine {
             Engine::Jit => {
-                if let Some(plan) = code.plan(self.options.simd, self.options.batch)? {
+                let Options { simd, batch, generator, .. } = self.options;
+                if let Some(plan) = code.plan(simd, batch, Generator::chosen(generator)?)? {
                     // Nobody else holds this code yet, so the lock is empty.
                     let _ = code.plan.set(Some(plan));
                 }
@@ -239,9 +246,14 @@ impl Shader {
 }
 
 impl RootCode {
-    fn plan(&self, simd: Simd, batch: usize) -> Result<Option<Plan>, JitError> {
+    fn plan(
+        &self,
+        simd: Simd,
+        batch: usize,
+        generator: Generator,
+    ) -> Result<Option<Plan>, JitError> {
         let uniforms = self.specialised.uniforms.values().len();
-        let plan = |schedule| Plan::new(schedule, uniforms, simd, batch);
+        let plan = |schedule| Plan::new(schedule, uniforms, simd, batch, generator);
         self.schedule.as_ref().map(plan).transpose()
     }
 }

@@ -1,6 +1,6 @@
 //! The back ends under test, each as a function from rows of inputs to rows of outputs.
 
-use phenomenon_compiler::engine::jit::JitCode;
+use phenomenon_compiler::engine::jit::{Generator, JitCode};
 use phenomenon_compiler::ops::{OpSegment, dead, fold, legalise, split};
 use phenomenon_compiler::storage::{FileShape, LANES, Lanes, Placement, Source};
 
@@ -37,8 +37,9 @@ pub type Run = fn(&Case, &Rows) -> Rows;
 
 /// Every back end there is on this machine.
 pub fn all() -> impl Iterator<Item = &'static (&'static str, Run)> {
-    let machine_code = if JitCode::available().is_ok() { MACHINE_CODE } else { &[] };
-    ALWAYS.iter().chain(machine_code)
+    let native = if Generator::Native.available().is_ok() { NATIVE } else { &[] };
+    let cranelift = if Generator::Cranelift.available().is_ok() { CRANELIFT } else { &[] };
+    ALWAYS.iter().chain(native).chain(cranelift)
 }
 
 const ALWAYS: &[(&str, Run)] = &[
@@ -52,16 +53,30 @@ const ALWAYS: &[(&str, Run)] = &[
     }),
 ];
 
-const MACHINE_CODE: &[(&str, Run)] = &[
-    ("machine code", |case, inputs| compiled(case, inputs, |segment| vec![segment])),
-    ("machine code, folded", |case, inputs| {
-        compiled(case, inputs, |segment| vec![dead::remove(&fold::fold(&segment))])
-    }),
-    ("machine code, split", |case, inputs| {
-        let scratch = (inputs.width + case.outputs.len()) as u32;
-        compiled(case, inputs, |segment| split::split(&segment, 7, scratch).parts)
-    }),
-];
+/// The forms of machine code of a generator.
+macro_rules! machine_code {
+    ($name:literal, $generator:expr) => {
+        &[
+            (concat!($name, " code"), |case, inputs| {
+                compiled($generator, case, inputs, |segment| vec![segment])
+            }),
+            (concat!($name, " code, folded"), |case, inputs| {
+                compiled($generator, case, inputs, |segment| {
+                    vec![dead::remove(&fold::fold(&segment))]
+                })
+            }),
+            (concat!($name, " code, split"), |case, inputs| {
+                let scratch = (inputs.width + case.outputs.len()) as u32;
+                compiled($generator, case, inputs, |segment| {
+                    split::split(&segment, 7, scratch).parts
+                })
+            }),
+        ]
+    };
+}
+
+const NATIVE: &[(&str, Run)] = machine_code!("native", Generator::Native);
+const CRANELIFT: &[(&str, Run)] = machine_code!("Cranelift's", Generator::Cranelift);
 
 fn point_by_point(run: &dyn Fn(&[u32], &mut [u32]), case: &Case, inputs: &Rows) -> Rows {
     let mut rows = Rows::new(case.outputs.len());
@@ -77,7 +92,12 @@ fn point_by_point(run: &dyn Fn(&[u32], &mut [u32]), case: &Case, inputs: &Rows) 
 const SCRATCH: usize = 64;
 
 /// Records the case, legalises and prepares the segment, compiles it, and runs its parts.
-fn compiled(case: &Case, inputs: &Rows, prepare: impl Fn(OpSegment) -> Vec<OpSegment>) -> Rows {
+fn compiled(
+    generator: Generator,
+    case: &Case,
+    inputs: &Rows,
+    prepare: impl Fn(OpSegment) -> Vec<OpSegment>,
+) -> Rows {
     let sources: Vec<Source> = (0..inputs.width as u32).map(Source::Slot).collect();
     let (ops, results) = reference::tape(case);
     let first = inputs.width as u32;
@@ -85,9 +105,10 @@ fn compiled(case: &Case, inputs: &Rows, prepare: impl Fn(OpSegment) -> Vec<OpSeg
     let segment = OpSegment { ops, sources: sources.clone(), stores, wanted: vec![] };
     let parts = prepare(legalise::legalise(&segment));
     let slots = inputs.width + case.outputs.len() + SCRATCH;
-    let code = JitCode::compile(&parts, FileShape { uniforms: UNIFORMS, slots }).expect("compiles");
+    let shape = FileShape { uniforms: UNIFORMS, slots };
+    let code = JitCode::compile(generator, &parts, shape).expect("compiles");
     let run = |file: &mut [Lanes], placement: &Placement<'_>| {
-        (0..parts.len()).for_each(|part| code.run(part, file, placement.blocks));
+        code.run(0..parts.len(), file, placement.blocks);
     };
     placed(run, case, inputs, &sources, slots, first)
 }

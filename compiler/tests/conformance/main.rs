@@ -80,7 +80,8 @@ fn recording_and_then_legalising_records_what_expanding_at_once_does() {
         let stores = (0..).zip(stores).collect();
         let segment = OpSegment { ops, stores, ..OpSegment::default() };
         let (ops, stores) = reference::tape_of(&case, Tape::standard());
-        let at_once = OpSegment { ops, stores: (0..).zip(stores).collect(), ..OpSegment::default() };
+        let at_once =
+            OpSegment { ops, stores: (0..).zip(stores).collect(), ..OpSegment::default() };
         assert_eq!(legalise::legalise(&segment), at_once, "{}", case.name);
     }
 }

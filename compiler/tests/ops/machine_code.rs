@@ -3,29 +3,71 @@
 use std::sync::Arc;
 
 use phenomenon_compiler::emit::Table;
-use phenomenon_compiler::engine::jit::{JitCode, JitError};
+use phenomenon_compiler::engine::jit::{Generator, JitCode, JitError};
 use phenomenon_compiler::ops::{Op, OpSegment, dead, fold, split};
 use phenomenon_compiler::storage::{FileShape, LANES, Lanes, Source};
 
 use crate::random::Case;
 use crate::samples::{File, Kind, Random, yields};
 
-/// Whether there is code on this machine; a machine without has nothing to test here, and must
-/// say why.
-pub fn available() -> bool {
-    match JitCode::available() {
-        Ok(()) => true,
-        Err(JitError::UnsupportedTarget | JitError::MissingFeature(_)) => false,
-        Err(other) => panic!("{other}"),
+/// Who makes code here: each generator there is on this machine, ours with few registers as well. A machine
+/// without any has nothing to test here, and must say why.
+pub fn makers() -> Vec<Maker> {
+    let mut makers = Vec::new();
+    for generator in Generator::ALL {
+        match generator.available() {
+            Ok(()) => makers.push(Maker::Generator(generator)),
+            Err(JitError::UnsupportedTarget | JitError::MissingFeature(_)) => {}
+            Err(other) => panic!("{other}"),
+        }
+    }
+    #[cfg(target_arch = "x86_64")]
+    if Generator::Native.available().is_ok() {
+        makers.extend([5, 8].map(Maker::Registers));
+    }
+    makers
+}
+
+#[derive(Clone, Copy, Debug)]
+pub enum Maker {
+    Generator(Generator),
+    /// Ours, in so many registers.
+    #[cfg(target_arch = "x86_64")]
+    Registers(u32),
+}
+
+impl Maker {
+    fn compile(self, segments: &[OpSegment], shape: FileShape) -> Result<JitCode, JitError> {
+        match self {
+            Maker::Generator(generator) => JitCode::compile(generator, segments, shape),
+            #[cfg(target_arch = "x86_64")]
+            Maker::Registers(count) => JitCode::compile_with_registers(count, segments, shape),
+        }
+    }
+
+    /// Runs segments as machine code.
+    pub fn run(self, segments: &[OpSegment], file: &mut File) {
+        let shape = FileShape { uniforms: file.uniforms, slots: file.slots };
+        let code = self.compile(segments, shape).expect("compiles");
+        code.run(0..segments.len(), &mut file.lanes, file.blocks);
     }
 }
 
-/// Runs segments as machine code.
-pub fn run(segments: &[OpSegment], file: &mut File) {
-    let code = JitCode::compile(segments, FileShape { uniforms: file.uniforms, slots: file.slots })
-        .expect("compiles");
-    for index in 0..segments.len() {
-        code.run(index, &mut file.lanes, file.blocks);
+/// Asserts that every maker's code for `segments` leaves in `file` what interpreting `segment` does.
+fn agree(
+    segment: &OpSegment,
+    segments: &[OpSegment],
+    file: &File,
+    slots: u32,
+    kind: impl Fn(u32) -> Kind,
+    what: &str,
+) {
+    let mut expected = file.clone();
+    expected.interpret(segment);
+    for maker in makers() {
+        let mut file = file.clone();
+        maker.run(segments, &mut file);
+        file.assert_same(&expected, slots, &kind, &format!("{maker:?}, {what}\n{segment}"));
     }
 }
 
@@ -52,19 +94,13 @@ fn exhaust(op: Op, kinds: &[Kind]) {
         wanted: vec![],
     };
     let kind = yields(op, |id| kinds[id as usize]);
-    let mut expected = file.clone();
-    expected.interpret(&segment);
-    run(std::slice::from_ref(&segment), &mut file);
     let compared = |slot| if slot == arity as u32 { kind } else { Kind::Int };
-    file.assert_same(&expected, arity as u32 + 1, compared, &segment.to_string());
+    agree(&segment, std::slice::from_ref(&segment), &file, arity as u32 + 1, compared, "alone");
 }
 
 #[test]
 fn every_operation_over_all_hard_operands() {
     use Kind::{Int, Mask, Real};
-    if !available() {
-        return;
-    }
     for op in [Op::Neg(0), Op::Absolute(0), Op::Sqrt(0), Op::Floor(0), Op::Ceil(0)] {
         exhaust(op, &[Real]);
     }
@@ -109,9 +145,6 @@ fn every_operation_over_all_hard_operands() {
 /// A select leaves the bits of a NaN alone, whichever comparison its mask comes from.
 #[test]
 fn select_keeps_the_payload_of_a_nan() {
-    if !available() {
-        return;
-    }
     let nan = 0x7fa1_2345;
     for compare in [Op::Less(0, 1), Op::IntLess(0, 1), Op::Xor(0, 1)] {
         let segment = OpSegment {
@@ -134,19 +167,14 @@ fn select_keeps_the_payload_of_a_nan() {
             file.lanes[0] = Lanes([1.0f32.to_bits(); LANES]);
             *file.slot(0, 0) = Lanes([0, 0, 0x4000_0000, 0, 0x4000_0000, 0, 0, 0x4000_0000]);
         }
-        let mut expected = file.clone();
-        expected.interpret(&segment);
-        run(std::slice::from_ref(&segment), &mut file);
-        file.assert_same(&expected, 3, |_| Kind::Int, &segment.to_string());
+        agree(&segment, std::slice::from_ref(&segment), &file, 3, |_| Kind::Int, "payload");
+        file.interpret(&segment);
         assert!(file.slot(0, 1).0.contains(&nan) && file.slot(0, 2).0.contains(&nan));
     }
 }
 
 #[test]
 fn random_segments_whole_folded_and_split() {
-    if !available() {
-        return;
-    }
     for seed in 0..60 {
         let mut random = Random(seed);
         let size = [12, 40, 90, 200][seed as usize % 4];
@@ -156,17 +184,13 @@ fn random_segments_whole_folded_and_split() {
         let folded = dead::remove(&fold::fold(&case.segment));
         let cut = split::split(&folded, limit, case.slots.len() as u32);
         let file = case.file(&mut random, cut.scratch, blocks);
-        let mut expected = file.clone();
-        expected.interpret(&case.segment);
         let slots = case.slots.len() as u32;
         let kind = |slot: u32| case.slots[slot as usize];
-        let what = |form: &str, segment: &OpSegment| format!("seed {seed}, {form}\n{segment}");
         let forms =
             [("whole", vec![case.segment.clone()]), ("folded", vec![folded]), ("split", cut.parts)];
         for (form, segments) in forms {
-            let mut file = file.clone();
-            run(&segments, &mut file);
-            file.assert_same(&expected, slots, kind, &what(form, &case.segment));
+            let what = format!("seed {seed}, {form}");
+            agree(&case.segment, &segments, &file, slots, kind, &what);
         }
     }
 }
@@ -174,44 +198,109 @@ fn random_segments_whole_folded_and_split() {
 /// Above the limit for the ordinary register allocator.
 #[test]
 fn a_huge_segment_is_allocated_in_a_single_pass() {
-    if !available() {
-        return;
-    }
     let mut random = Random(7);
     let case = Case::new(&mut random, 2500);
     let file = case.file(&mut random, 0, 2);
-    let (mut expected, mut file) = (file.clone(), file);
-    expected.interpret(&case.segment);
-    run(std::slice::from_ref(&case.segment), &mut file);
     let kind = |slot: u32| case.slots[slot as usize];
-    file.assert_same(&expected, case.slots.len() as u32, kind, "huge");
+    let slots = case.slots.len() as u32;
+    agree(&case.segment, std::slice::from_ref(&case.segment), &file, slots, kind, "huge");
 }
 
-/// Reading and writing one slot reads first.
+/// A segment that reads slots and stores to the same ones reads first: words only fetched, computed ones, all of
+/// them at once, and with every register taken in between.
 #[test]
 fn a_slot_read_and_written_is_read_first() {
-    if !available() {
-        return;
-    }
-    let segment = OpSegment {
-        ops: vec![Op::Load(0), Op::Load(1)],
-        sources: vec![Source::Slot(0), Source::Slot(1)],
+    let load = |count: u32| (0..count).map(Op::Load).collect::<Vec<_>>();
+    let slots = |count: u32| (0..count).map(Source::Slot).collect::<Vec<_>>();
+    let swap = OpSegment {
+        ops: load(2),
+        sources: slots(2),
         stores: vec![(1, 0), (0, 1)],
+        ..OpSegment::default()
+    };
+    // What is computed from slot 0 goes there, and slot 0 is used after.
+    let computed = OpSegment {
+        ops: [load(2), vec![Op::IntAdd(0, 1), Op::IntSub(0, 2), Op::IntMul(3, 2)]].concat(),
+        sources: slots(2),
+        stores: vec![(0, 2), (2, 4), (1, 3)],
         wanted: vec![],
     };
-    for blocks in [1, 2, 5] {
-        let mut file = File::new(0, 2, blocks);
-        for block in 0..blocks {
-            for slot in 0..2 {
-                *file.slot(block, slot) = Lanes([(block * 2) as u32 + slot; LANES]);
+    // Every slot moves on by one, and more of them than there are registers.
+    let count = 40;
+    let turn = OpSegment {
+        ops: load(count),
+        sources: slots(count),
+        stores: (0..count).map(|slot| ((slot + 1) % count, slot)).collect(),
+        wanted: vec![],
+    };
+    // The same, each with one added, computed before any is stored.
+    let sums = (0..count).map(|slot| Op::IntAdd(slot, (slot + 7) % count));
+    let turn_of_sums = OpSegment {
+        ops: load(count).into_iter().chain(sums).collect(),
+        sources: slots(count),
+        stores: (0..count).map(|slot| ((slot + 1) % count, count + slot)).collect(),
+        wanted: vec![],
+    };
+    // One slot twice: what is stored last stays.
+    let twice = OpSegment {
+        ops: [load(2), vec![Op::IntAdd(0, 1), Op::IntSub(0, 1)]].concat(),
+        sources: slots(2),
+        stores: vec![(2, 3), (2, 2), (3, 0), (3, 3)],
+        wanted: vec![],
+    };
+    for segment in [swap, computed, turn, turn_of_sums, twice] {
+        for blocks in [1, 2, 5, 9] {
+            let mut file = File::new(1, count as usize, blocks);
+            for block in 0..blocks {
+                for slot in 0..count {
+                    let first = (block as u32 * count + slot) * LANES as u32;
+                    *file.slot(block, slot) = Lanes([0, 1, 2, 3, 4, 5, 6, 7].map(|n| first + n));
+                }
+            }
+            let segments = std::slice::from_ref(&segment);
+            agree(&segment, segments, &file, count, |_| Kind::Int, "in place");
+        }
+    }
+}
+
+/// A fused multiplication overwrites an operand: whichever dies, is in memory, comes twice, or has a sign.
+#[test]
+fn fused_multiplications_of_all_shapes() {
+    for shape in 0..4 * 4 * 4 * 8 * 4 {
+        let operand = |digit: u32| (shape / 4u32.pow(digit)) % 4;
+        let signs = shape / 64 % 8;
+        // 0 and 1: slots in memory; 2 and 3: computed, in registers.
+        let mut ops: Vec<Op> = (0..2).map(Op::Load).collect();
+        ops.extend([Op::Add(0, 1), Op::Sub(1, 0)]);
+        let mut ids = [operand(0), operand(1), operand(2)];
+        for (at, id) in ids.iter_mut().enumerate() {
+            if signs >> at & 1 == 1 {
+                ops.push(Op::Neg(*id));
+                *id = ops.len() as u32 - 1;
             }
         }
-        run(std::slice::from_ref(&segment), &mut file);
-        for block in 0..blocks {
-            for slot in 0..2 {
-                assert_eq!(file.slot(block, slot).0, [(block * 2) as u32 + 1 - slot; LANES]);
+        ops.push(Op::MulAdd(ids[0], ids[1], ids[2]));
+        let fused = ops.len() as u32 - 1;
+        let mut stores = vec![(2, fused)];
+        // Who lives on.
+        let alive = shape / 512;
+        for (at, slot) in [(0, 3), (1, 4)] {
+            if alive >> at & 1 == 1 {
+                ops.push(Op::Add(fused, 2 + at));
+                stores.push((slot, ops.len() as u32 - 1));
             }
         }
+        let segment = OpSegment {
+            ops,
+            sources: vec![Source::Slot(0), Source::Slot(1)],
+            stores,
+            wanted: vec![],
+        };
+        let mut file = File::new(0, 5, 1);
+        *file.slot(0, 0) =
+            Lanes([0.5f32, -1.25, 3.0, -0.0, 1e-3, 7.5, -2.0, 0.1].map(f32::to_bits));
+        *file.slot(0, 1) = Lanes([2.0f32, 0.75, -3.5, 1.0, 1e4, -0.5, 9.0, 0.3].map(f32::to_bits));
+        agree(&segment, std::slice::from_ref(&segment), &file, 5, |_| Kind::Real, "fused");
     }
 }
 
@@ -226,98 +315,112 @@ fn one_store() -> OpSegment {
 
 #[test]
 fn malformed_segments_are_refused() {
-    if !available() {
-        return;
+    for maker in makers() {
+        let refused = |segment: OpSegment, uniforms, slots| {
+            matches!(
+                maker.compile(&[one_store(), segment], FileShape { uniforms, slots }),
+                Err(JitError::Malformed { segment: 1, .. })
+            )
+        };
+        assert!(!refused(one_store(), 1, 1));
+        assert!(refused(OpSegment { sources: vec![Source::Uniform(1)], ..one_store() }, 1, 1));
+        assert!(refused(OpSegment { sources: vec![Source::Slot(1)], ..one_store() }, 1, 1));
+        assert!(refused(OpSegment { sources: vec![], ..one_store() }, 1, 1));
+        assert!(refused(OpSegment { wanted: vec![Source::Uniform(1)], ..one_store() }, 1, 1));
+        assert!(refused(OpSegment { wanted: vec![Source::Slot(1)], ..one_store() }, 1, 1));
+        assert!(refused(OpSegment { stores: vec![(1, 0)], ..one_store() }, 1, 1));
+        assert!(refused(OpSegment { stores: vec![(0, 1)], ..one_store() }, 1, 1));
+        assert!(refused(OpSegment { ops: vec![Op::Neg(0)], ..one_store() }, 1, 1));
+        let ops = |last: Op| OpSegment {
+            ops: vec![Op::Load(0), last],
+            stores: vec![(0, 1)],
+            ..one_store()
+        };
+        assert!(!refused(ops(Op::Neg(0)), 1, 1));
+        assert!(refused(ops(Op::Sin(0)), 1, 1));
+        assert!(refused(ops(Op::Truth(true)), 1, 1));
+        let huge = maker
+            .compile(&[], FileShape { uniforms: 1, slots: 1 << 27 })
+            .expect_err("offsets do not fit");
+        assert_eq!(huge, JitError::TooLarge { words: 1 << 27 });
     }
-    let refused = |segment: OpSegment, uniforms, slots| {
-        matches!(
-            JitCode::compile(&[one_store(), segment], FileShape { uniforms, slots }),
-            Err(JitError::Malformed { segment: 1, .. })
-        )
-    };
-    assert!(!refused(one_store(), 1, 1));
-    assert!(refused(OpSegment { sources: vec![Source::Uniform(1)], ..one_store() }, 1, 1));
-    assert!(refused(OpSegment { sources: vec![Source::Slot(1)], ..one_store() }, 1, 1));
-    assert!(refused(OpSegment { sources: vec![], ..one_store() }, 1, 1));
-    assert!(refused(OpSegment { wanted: vec![Source::Uniform(1)], ..one_store() }, 1, 1));
-    assert!(refused(OpSegment { wanted: vec![Source::Slot(1)], ..one_store() }, 1, 1));
-    assert!(refused(OpSegment { stores: vec![(1, 0)], ..one_store() }, 1, 1));
-    assert!(refused(OpSegment { stores: vec![(0, 1)], ..one_store() }, 1, 1));
-    assert!(refused(OpSegment { ops: vec![Op::Neg(0)], ..one_store() }, 1, 1));
-    assert!(refused(OpSegment { ops: vec![Op::Load(0), Op::Sin(0)], ..one_store() }, 1, 1));
-    assert!(refused(OpSegment { ops: vec![Op::Truth(true)], ..one_store() }, 1, 1));
-    let huge = JitCode::compile(&[], FileShape { uniforms: 1, slots: 1 << 27 })
-        .expect_err("offsets do not fit");
-    assert_eq!(huge, JitError::TooLarge { words: 1 << 27 });
 }
 
 #[test]
 #[should_panic(expected = "cannot hold 2 blocks")]
 fn a_short_file_is_refused() {
-    if !available() {
+    let Some(maker) = makers().first().copied() else {
         panic!("cannot hold 2 blocks: there is no code here");
-    }
+    };
     let code =
-        JitCode::compile(&[one_store()], FileShape { uniforms: 1, slots: 1 }).expect("compiles");
-    code.run(0, &mut [Lanes::default(); 2], 2);
+        maker.compile(&[one_store()], FileShape { uniforms: 1, slots: 1 }).expect("compiles");
+    code.run(0..1, &mut [Lanes::default(); 2], 2);
 }
 
 #[test]
 fn no_block_is_touched_when_there_is_none() {
-    if !available() {
-        return;
+    for maker in makers() {
+        let shape = FileShape { uniforms: 1, slots: 1 };
+        let code = maker.compile(&[one_store()], shape).expect("compiles");
+        let before = [Lanes([1; LANES]), Lanes([2; LANES])];
+        let mut lanes = before;
+        code.run(0..1, &mut lanes, 0);
+        assert_eq!(lanes, before);
     }
-    let code =
-        JitCode::compile(&[one_store()], FileShape { uniforms: 1, slots: 1 }).expect("compiles");
-    let before = [Lanes([1; LANES]), Lanes([2; LANES])];
-    let mut lanes = before;
-    code.run(0, &mut lanes, 0);
-    assert_eq!(lanes, before);
 }
 
 /// Code is shared between threads and freed with its last owner; its memory is given back.
 #[cfg(target_os = "linux")]
 #[test]
 fn code_is_shared_and_freed() {
-    if !available() {
-        return;
-    }
-    let case = Case::new(&mut Random(3), 400);
-    let compile = || {
-        let slots = case.slots.len();
-        Arc::new(
-            JitCode::compile(
-                std::slice::from_ref(&case.segment),
-                FileShape { uniforms: case.uniforms.len(), slots },
-            )
-            .expect("compiles"),
-        )
-    };
-    let code = compile();
-    assert!(code.code_bytes() > 400);
-    let file = case.file(&mut Random(4), 0, 3);
-    let mut expected = file.clone();
-    expected.interpret(&case.segment);
-    std::thread::scope(|scope| {
-        for _ in 0..3 {
-            let (code, mut file, expected, case) = (code.clone(), file.clone(), &expected, &case);
-            scope.spawn(move || {
-                code.run(0, &mut file.lanes, file.blocks);
-                let kind = |slot: u32| case.slots[slot as usize];
-                file.assert_same(expected, case.slots.len() as u32, kind, "threads");
-            });
+    for maker in makers() {
+        let case = Case::new(&mut Random(3), 400);
+        let compile = || {
+            let shape = FileShape { uniforms: case.uniforms.len(), slots: case.slots.len() };
+            let code = maker.compile(std::slice::from_ref(&case.segment), shape);
+            Arc::new(code.expect("compiles"))
+        };
+        let code = compile();
+        assert!(code.code_bytes() > 400);
+        let file = case.file(&mut Random(4), 0, 3);
+        let mut expected = file.clone();
+        expected.interpret(&case.segment);
+        std::thread::scope(|scope| {
+            for _ in 0..3 {
+                let (code, mut file) = (code.clone(), file.clone());
+                let (expected, case) = (&expected, &case);
+                scope.spawn(move || {
+                    code.run(0..1, &mut file.lanes, file.blocks);
+                    let kind = |slot: u32| case.slots[slot as usize];
+                    file.assert_same(expected, case.slots.len() as u32, kind, "threads");
+                });
+            }
+        });
+        drop(code);
+        let before = mappings();
+        for _ in 0..50 {
+            drop(compile());
         }
-    });
-    drop(code);
-    let executable = || {
-        let maps = std::fs::read_to_string("/proc/self/maps").expect("Linux has it");
-        maps.lines().filter(|line| line.contains("r-xp") && line.ends_with(" 0 ")).count()
-            + maps.lines().filter(|line| line.contains("r-xp") && !line.contains('/')).count()
-    };
-    let before = executable();
-    for _ in 0..50 {
-        drop(compile());
+        // Other tests of this process come and go meanwhile; a leak would leave 50.
+        let after = mappings();
+        assert!(after.executable < before.executable + 25, "code memory leaks");
+        // Of no page that can be executed anything can be written, at any time.
+        assert_eq!(before.both + after.both, 0, "memory is writable and executable at once");
     }
-    // Other tests of this process come and go meanwhile; a leak would leave 50.
-    assert!(executable() < before + 25, "code memory leaks");
+}
+
+/// Anonymous pieces of memory of this process that can be executed, and that can be written too.
+#[cfg(target_os = "linux")]
+struct Mappings {
+    executable: usize,
+    both: usize,
+}
+
+#[cfg(target_os = "linux")]
+fn mappings() -> Mappings {
+    let maps = std::fs::read_to_string("/proc/self/maps").expect("Linux has it");
+    let with = |rights: &str| {
+        maps.lines().filter(|line| line.contains(rights) && !line.contains('/')).count()
+    };
+    Mappings { executable: with(" r-xp ") + with(" --xp "), both: with(" rwxp ") + with(" -wxp ") }
 }

@@ -52,7 +52,8 @@ fn scratch_slots_are_used_again() {
         ops.push(if id == 1 { Op::Mul(0, 1) } else { Op::Mul(id, 1) });
     }
     let last = ops.len() as u32 - 1;
-    let segment = OpSegment { ops, sources: vec![Source::Slot(0)], stores: vec![(1, last)], wanted: vec![] };
+    let segment =
+        OpSegment { ops, sources: vec![Source::Slot(0)], stores: vec![(1, last)], wanted: vec![] };
     let cut = split::split(&segment, 20, 2);
     assert!(cut.parts.len() >= 20);
     assert_eq!(cut.scratch, 2);

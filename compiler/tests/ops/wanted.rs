@@ -3,7 +3,7 @@
 use phenomenon_compiler::ops::{OpSegment, dead, fold, split};
 use phenomenon_compiler::storage::{LANES, Lanes, Source};
 
-use crate::machine_code::{available, run};
+use crate::machine_code::makers;
 use crate::random::Case;
 use crate::samples::{File, Kind, Random};
 
@@ -94,9 +94,10 @@ fn blocks_nobody_wants_are_left_alone_and_the_others_get_what_they_should() {
             let mut got = before.clone();
             segments.iter().for_each(|segment| got.interpret(segment));
             assert_wanted_same(&mut got, &mut meant, &mut before, &case, &what);
-            if available() {
+            for maker in makers() {
                 let mut got = before.clone();
-                run(&segments, &mut got);
+                maker.run(&segments, &mut got);
+                let what = format!("{maker:?}, {what}");
                 assert_wanted_same(&mut got, &mut meant, &mut before, &case, &what);
             }
         }

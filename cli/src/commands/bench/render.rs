@@ -81,6 +81,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     for engine in ENGINES {
         let run = EngineArguments {
             engine,
+            jit: None,
             precision: Precision::default(),
             simd: SimdChoice::default(),
             batch: 256,

@@ -1,244 +1,131 @@
-//! Compiled segments: made, owned, run and freed.
-//!
-//! What Cranelift 0.135 asks for:
-//! * optimisation `speed` brings value numbering and loop-invariant motion;
-//! * the verifier runs in debug builds only, NaN payloads are not canonicalised (1.6 to 2.2 times
-//!   the run time, and NaNs compare as a class here);
-//! * register allocation takes most of the compile time and is quadratic on huge functions:
-//!   [`crate::ops::split`] keeps them short (faster code, too), and one that is still above
-//!   [`SINGLE_PASS_ABOVE`] is allocated in a single pass;
-//! * a dropped `JITModule` leaks its memory on purpose; [`JitCode`] frees it;
-//! * nothing may unwind through the code, and nothing does: it calls nothing.
+//! Machine code of a program's segments, whoever made it.
 
-use std::sync::{Arc, Mutex};
+use std::ops::Range;
 
-use cranelift_codegen::Context;
-use cranelift_codegen::control::ControlPlane;
-use cranelift_codegen::ir::UserFuncName;
-use cranelift_codegen::isa::TargetIsa;
-use cranelift_codegen::settings::{self, Configurable};
-use cranelift_frontend::FunctionBuilderContext;
-use cranelift_jit::{JITBuilder, JITModule};
-use cranelift_module::{FuncId, Linkage, Module};
-
-use super::JitError;
-use super::lower::lower;
+use super::cranelift::CraneliftCode;
+#[cfg(target_arch = "x86_64")]
+use super::native::{MOST_REGISTERS, NativeCode};
+use super::{Generator, JitError};
 use crate::ops::{OpSegment, verify};
 use crate::storage::{FileShape, Lanes};
-
-/// Functions of more operations are register-allocated in a single pass.
-pub const SINGLE_PASS_ABOVE: usize = 2000;
 
 /// Largest number of uniforms or slots: byte offsets stay below 2^31.
 const MOST_WORDS: usize = (i32::MAX as usize) / size_of::<Lanes>() - 1;
 
-/// A compiled segment: the file, and how many blocks to run (at least one).
-type Entry = unsafe extern "C" fn(file: *mut u8, blocks: i64);
+/// Blocks that functions run over one after another, before the next blocks have their turn: a function finds what
+/// the one before it wrote in the cache. At 32 blocks of 107 slots this took a fifth off a light loop.
+const TILE: usize = 8;
 
 /// The machine code of a program's segments.
+#[derive(Debug)]
 pub struct JitCode {
-    /// Emptied by `drop` only; a mutex because the module is not `Sync`.
-    module: Mutex<Option<JITModule>>,
-    entries: Vec<Entry>,
+    machine: Machine,
     shape: FileShape,
-    code_bytes: usize,
 }
 
-impl std::fmt::Debug for JitCode {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("JitCode")
-            .field("segments", &self.entries.len())
-            .field("code_bytes", &self.code_bytes)
-            .finish_non_exhaustive()
-    }
+#[derive(Debug)]
+enum Machine {
+    #[cfg(target_arch = "x86_64")]
+    Native(NativeCode),
+    Cranelift(CraneliftCode),
 }
 
 impl JitCode {
-    /// Whether code can be generated for, and run on, this machine.
-    ///
-    /// # Errors
-    /// [`JitError::UnsupportedTarget`] and [`JitError::MissingFeature`].
-    pub fn available() -> Result<(), JitError> {
-        #[cfg(target_arch = "x86_64")]
-        {
-            if !std::arch::is_x86_feature_detected!("sse4.1") {
-                return Err(JitError::MissingFeature("SSE4.1"));
-            }
-            // Without it Cranelift calls a library function per lane.
-            if !(std::arch::is_x86_feature_detected!("avx")
-                && std::arch::is_x86_feature_detected!("fma"))
-            {
-                return Err(JitError::MissingFeature("FMA"));
-            }
-            Ok(())
-        }
-        #[cfg(not(target_arch = "x86_64"))]
-        {
-            Err(JitError::UnsupportedTarget)
-        }
-    }
-
     /// Compiles each segment to a function over files of that shape. Segments are compiled as they are:
     /// legalise, fold and split them before.
     ///
     /// # Errors
     /// See [`JitError`].
-    pub fn compile(segments: &[OpSegment], shape: FileShape) -> Result<Self, JitError> {
-        Self::available()?;
-        let words = shape.uniforms.max(shape.slots);
-        if words > MOST_WORDS {
-            return Err(JitError::TooLarge { words });
-        }
-        for (index, segment) in segments.iter().enumerate() {
-            verify::inside(segment, shape)
-                .map_err(|what| JitError::Malformed { segment: index, what })?;
-        }
-        let mut compiler = Compiler::new()?;
-        let mut compiled = Ok(());
-        for segment in segments {
-            compiled = compiled.and_then(|()| compiler.add(segment, shape));
-        }
-        // From here the module belongs to a `JitCode`, which frees it whatever happens.
-        let Compiler { mut module, functions, code_bytes, .. } = compiler;
-        let finished = compiled.and_then(|()| module.finalize_definitions().map_err(failed));
-        let mut entries = Vec::new();
-        if finished.is_ok() {
-            entries.extend(functions.iter().map(|&id| {
-                let address = module.get_finalized_function(id);
-                // SAFETY: the function at `address` was compiled with this signature in the
-                // platform's C calling convention, and lives until `drop` frees the module.
-                unsafe { std::mem::transmute::<*const u8, Entry>(address) }
-            }));
-        }
-        let code = Self { module: Mutex::new(Some(module)), entries, shape, code_bytes };
-        finished.map(|()| code)
+    pub fn compile(
+        generator: Generator,
+        segments: &[OpSegment],
+        shape: FileShape,
+    ) -> Result<Self, JitError> {
+        generator.available()?;
+        check(segments, shape)?;
+        let machine = match generator {
+            #[cfg(target_arch = "x86_64")]
+            Generator::Native => {
+                Machine::Native(NativeCode::compile(segments, shape, MOST_REGISTERS)?)
+            }
+            #[cfg(not(target_arch = "x86_64"))]
+            Generator::Native => return Err(JitError::UnsupportedTarget),
+            Generator::Cranelift => Machine::Cranelift(CraneliftCode::compile(segments, shape)?),
+        };
+        Ok(Self { machine, shape })
     }
 
-    /// Runs segment `index` over the first `blocks` blocks of the file.
+    /// Compiles by [`Generator::Native`] with fewer registers than there are (from 5 on), so that tests see words spilled.
+    ///
+    /// # Errors
+    /// See [`JitError`].
+    #[cfg(target_arch = "x86_64")]
+    pub fn compile_with_registers(
+        registers: u32,
+        segments: &[OpSegment],
+        shape: FileShape,
+    ) -> Result<Self, JitError> {
+        Generator::Native.available()?;
+        check(segments, shape)?;
+        let machine = Machine::Native(NativeCode::compile(segments, shape, registers)?);
+        Ok(Self { machine, shape })
+    }
+
+    /// Runs function after function over the first `blocks` blocks of the file, a few blocks at a time.
     ///
     /// # Panics
-    /// If there is no such segment, or the file is smaller than `uniforms + blocks * slots`.
-    pub fn run(&self, index: usize, lanes: &mut [Lanes], blocks: usize) {
-        let entry = self.entries[index];
-        let words = blocks
-            .checked_mul(self.shape.slots)
-            .and_then(|words| words.checked_add(self.shape.uniforms));
+    /// If there is no such function, or the file is smaller than `uniforms + blocks * slots`.
+    pub fn run(&self, functions: Range<usize>, lanes: &mut [Lanes], blocks: usize) {
+        let FileShape { uniforms, slots } = self.shape;
+        let words = blocks.checked_mul(slots).and_then(|words| words.checked_add(uniforms));
         assert!(
             words.is_some_and(|words| words <= lanes.len()),
             "a file of {} words cannot hold {blocks} blocks",
             lanes.len()
         );
         // A segment without slots may pass any number of blocks, and stores nothing.
-        if blocks == 0 || self.shape.slots == 0 {
+        if slots == 0 {
             return;
         }
-        // SAFETY: the code reads uniforms below `uniforms` and accesses slots below `slots` of blocks below
-        // `blocks` ([`verify::inside`]), all within `lanes` by the assertion; `Lanes` is aligned to 32
-        // bytes, all bit patterns are valid, and it calls nothing that could unwind or keep the
-        // pointer.
-        unsafe { entry(lanes.as_mut_ptr().cast(), blocks as i64) };
+        let file = lanes.as_mut_ptr();
+        for first in (0..blocks).step_by(TILE) {
+            let blocks = TILE.min(blocks - first);
+            let before = uniforms + first * slots;
+            for function in functions.clone() {
+                // SAFETY: the code reads uniforms below `uniforms` and accesses slots below `slots` of these
+                // blocks (`check`), all within `lanes` by the assertion, which this function alone may access now.
+                match &self.machine {
+                    #[cfg(target_arch = "x86_64")]
+                    Machine::Native(code) => unsafe {
+                        code.run(function, file, file.add(before), blocks);
+                    },
+                    Machine::Cranelift(code) => unsafe {
+                        code.run(function, file, before * size_of::<Lanes>(), blocks);
+                    },
+                }
+            }
+        }
     }
 
     /// Bytes of machine code, constants included.
     pub fn code_bytes(&self) -> usize {
-        self.code_bytes
-    }
-}
-
-impl Drop for JitCode {
-    fn drop(&mut self) {
-        let module = self.module.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
-        if let Some(module) = module.take() {
-            // SAFETY: entries are called through `&self` only, so none is running, and they are
-            // never handed out.
-            unsafe { module.free_memory() };
+        match &self.machine {
+            #[cfg(target_arch = "x86_64")]
+            Machine::Native(code) => code.bytes(),
+            Machine::Cranelift(code) => code.bytes(),
         }
     }
 }
 
-/// What a function being compiled needs, kept between functions.
-struct Compiler {
-    module: JITModule,
-    single_pass: Arc<dyn TargetIsa>,
-    context: Context,
-    builder: FunctionBuilderContext,
-    functions: Vec<FuncId>,
-    code_bytes: usize,
-}
-
-impl Compiler {
-    fn new() -> Result<Self, JitError> {
-        let isa = target("backtracking")?;
-        let single_pass = target("single_pass")?;
-        let builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
-        let module = JITModule::new(builder);
-        let context = module.make_context();
-        Ok(Self {
-            module,
-            single_pass,
-            context,
-            builder: FunctionBuilderContext::new(),
-            functions: Vec::new(),
-            code_bytes: 0,
-        })
+/// Whether segments can be compiled for files of the shape; the safety of running them rests on this.
+fn check(segments: &[OpSegment], shape: FileShape) -> Result<(), JitError> {
+    let words = shape.uniforms.max(shape.slots);
+    if words > MOST_WORDS {
+        return Err(JitError::TooLarge { words });
     }
-
-    fn add(&mut self, segment: &OpSegment, shape: FileShape) -> Result<(), JitError> {
-        let index = self.functions.len() as u32;
-        let config = self.module.target_config();
-        self.context.func.name = UserFuncName::user(0, index);
-        lower(segment, shape, config, &mut self.context.func, &mut self.builder)
-            .map_err(|what| JitError::Malformed { segment: index as usize, what })?;
-        let id = self
-            .module
-            .declare_function(
-                &format!("segment{index}"),
-                Linkage::Local,
-                &self.context.func.signature,
-            )
-            .map_err(failed)?;
-        let isa = if segment.ops.len() > SINGLE_PASS_ABOVE {
-            &*self.single_pass
-        } else {
-            self.module.isa()
-        };
-        let code = self
-            .context
-            .compile(isa, &mut ControlPlane::default())
-            .map_err(|error| JitError::CodeGeneration(error.inner.to_string()))?;
-        if !code.buffer.relocs().is_empty() {
-            // Only calls relocate: a feature promised by `available` is missing in the target.
-            return Err(JitError::CodeGeneration("an operation became a call".to_owned()));
-        }
-        let alignment = u64::from(code.buffer.alignment).max(isa.symbol_alignment());
-        let bytes = code.code_buffer();
-        self.code_bytes += bytes.len();
-        self.module.define_function_bytes(id, alignment, bytes, &[]).map_err(failed)?;
-        self.module.clear_context(&mut self.context);
-        self.functions.push(id);
-        Ok(())
+    for (index, segment) in segments.iter().enumerate() {
+        verify::inside(segment, shape)
+            .map_err(|what| JitError::Malformed { segment: index, what })?;
     }
-}
-
-fn failed(error: impl std::fmt::Display) -> JitError {
-    JitError::CodeGeneration(error.to_string())
-}
-
-/// The host, with the given register allocator.
-pub(super) fn target(allocator: &str) -> Result<Arc<dyn TargetIsa>, JitError> {
-    let mut flags = settings::builder();
-    for (name, value) in [
-        ("opt_level", "speed"),
-        ("regalloc_algorithm", allocator),
-        ("enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" }),
-        ("enable_nan_canonicalization", "false"),
-        ("use_colocated_libcalls", "false"),
-        ("is_pic", "false"),
-        ("unwind_info", "false"),
-        ("enable_probestack", "false"),
-    ] {
-        flags.set(name, value).map_err(failed)?;
-    }
-    let host = cranelift_native::builder().map_err(failed)?;
-    host.finish(settings::Flags::new(flags)).map_err(failed)
+    Ok(())
 }

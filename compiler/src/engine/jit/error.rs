@@ -23,6 +23,9 @@ pub enum JitError {
         /// What is wrong.
         what: &'static str,
     },
+    /// The system gave no memory for code.
+    #[error("no memory for machine code: {0}")]
+    Memory(String),
     /// The code generator refused.
     #[error("code generation failed: {0}")]
     CodeGeneration(String),

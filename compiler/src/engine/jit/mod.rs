@@ -1,13 +1,17 @@
-//! Machine code for pure segments, by Cranelift.
+//! Machine code for pure segments: ours for eight lanes, Cranelift's for four.
 
 mod code;
+mod cranelift;
 mod error;
-mod lower;
+mod generator;
+#[cfg(target_arch = "x86_64")]
+mod native;
 mod pieces;
 mod plan;
 pub(super) mod worker;
 
 pub use code::JitCode;
 pub use error::JitError;
+pub use generator::Generator;
 pub use pieces::{Piece, Pieces};
 pub use plan::Plan;

@@ -5,16 +5,21 @@ use std::fmt;
 
 use cranelift_entity::PrimaryMap;
 
+use super::Generator;
 use crate::ops::{Op, OpId, OpSegment, Tape, dead, fold, legalise, split, verify};
 use crate::schedule::{Item, Loop, Request, Schedule, Segment, SegmentId, Step};
 use crate::storage::Source;
 
-/// Bodies of more operations run as kernels: eight lanes beat four there. A kernel has a price for
-/// each call, which few points share in a small batch.
+/// Bodies of more operations run as kernels beside Cranelift's code: eight lanes beat four there. A kernel has a
+/// price for each call, which few points share in a small batch.
 const HEAVY_OPS: usize = 16;
 
 /// The same where batches are smaller than [`SMALL_BATCH`].
 const HEAVY_OPS_OF_FEW: usize = 96;
+
+/// Bodies of more operations run as kernels beside native code, which beats them at any size: only so that a loop
+/// over a count, unrolled here, does not become megabytes.
+const HEAVY_OPS_OF_NATIVE: usize = 4096;
 
 /// Batches of fewer points, two blocks, are small.
 const SMALL_BATCH: usize = 16;
@@ -47,9 +52,13 @@ enum Stretch {
 }
 
 impl Pieces {
-    /// Cuts `schedule`, to be run over at most `batch` points at once.
-    pub fn of(schedule: &Schedule, batch: usize) -> Self {
-        let heavy = if batch < SMALL_BATCH { HEAVY_OPS_OF_FEW } else { HEAVY_OPS };
+    /// Cuts `schedule` for a generator, to be run over at most `batch` points at once.
+    pub fn of(schedule: &Schedule, batch: usize, generator: Generator) -> Self {
+        let heavy = match generator {
+            Generator::Native => HEAVY_OPS_OF_NATIVE,
+            Generator::Cranelift if batch < SMALL_BATCH => HEAVY_OPS_OF_FEW,
+            Generator::Cranelift => HEAVY_OPS,
+        };
         let segments = schedule.segments.values();
         let stretches: Vec<_> = segments.map(|segment| stretches(segment, heavy)).collect();
         let readers = Readers::new(schedule, &stretches);

@@ -1,5 +1,7 @@
 //! The jit's plan: the pieces of a schedule, with the machine code of those that are fused.
 
+use std::ops::Range;
+
 use cranelift_entity::PrimaryMap;
 
 use crate::engine::options::Simd;
@@ -7,16 +9,25 @@ use crate::schedule::{Schedule, SegmentId};
 use crate::storage::{FileShape, Lanes, stride};
 
 use super::pieces::{Piece, Pieces};
-use super::{JitCode, JitError};
+use super::{Generator, JitCode, JitError};
 
 /// The jit's plan for a schedule, with its code.
 #[derive(Debug)]
 pub struct Plan {
     /// Per segment, what to run in order.
-    segments: PrimaryMap<SegmentId, Vec<Piece>>,
+    segments: PrimaryMap<SegmentId, Vec<Part>>,
     code: JitCode,
     simd: Simd,
     slots: usize,
+}
+
+/// What runs as one.
+#[derive(Clone, Debug)]
+enum Part {
+    /// Functions of the code, block by block.
+    Functions(Range<usize>),
+    /// A step of the segment, as a kernel.
+    Kernel(usize),
 }
 
 impl Plan {
@@ -27,10 +38,12 @@ impl Plan {
         uniforms: usize,
         simd: Simd,
         batch: usize,
+        generator: Generator,
     ) -> Result<Self, JitError> {
-        let Pieces { segments, functions, scratch } = Pieces::of(schedule, batch);
+        let Pieces { segments, functions, scratch } = Pieces::of(schedule, batch, generator);
         let slots = stride(schedule.slots + scratch);
-        let code = JitCode::compile(&functions, FileShape { uniforms, slots })?;
+        let code = JitCode::compile(generator, &functions, FileShape { uniforms, slots })?;
+        let segments = segments.values().map(|pieces| joined(pieces)).collect();
         Ok(Self { segments, code, simd, slots })
     }
 
@@ -52,11 +65,26 @@ impl Plan {
         blocks: usize,
         kernel: impl Fn(usize, Simd, &mut [Lanes]),
     ) {
-        for piece in &self.segments[segment] {
-            match *piece {
-                Piece::Fused(function) => self.code.run(function, lanes, blocks),
-                Piece::Kernel(step) => kernel(step, self.simd, lanes),
+        for part in &self.segments[segment] {
+            match part {
+                Part::Functions(functions) => self.code.run(functions.clone(), lanes, blocks),
+                Part::Kernel(step) => kernel(*step, self.simd, lanes),
             }
         }
     }
+}
+
+/// Pieces, with functions that follow one another as one part.
+fn joined(pieces: &[Piece]) -> Vec<Part> {
+    let mut parts: Vec<Part> = Vec::new();
+    for piece in pieces {
+        match (*piece, parts.last_mut()) {
+            (Piece::Fused(function), Some(Part::Functions(functions))) => {
+                functions.end = function + 1;
+            }
+            (Piece::Fused(function), _) => parts.push(Part::Functions(function..function + 1)),
+            (Piece::Kernel(step), _) => parts.push(Part::Kernel(step)),
+        }
+    }
+    parts
 }

@@ -44,16 +44,15 @@ pub fn lower(
     context: &mut FunctionBuilderContext,
 ) -> Result<(), &'static str> {
     let mut signature = Signature::new(config.default_call_conv);
-    signature.params.extend([AbiParam::new(I64), AbiParam::new(I64)]);
+    signature.params.extend([AbiParam::new(I64); 3]);
     function.signature = signature;
     let mut builder = FunctionBuilder::new(function, context);
     let entry = builder.create_block();
     builder.append_block_params_for_function_params(entry);
     builder.switch_to_block(entry);
-    let &[file, blocks] = builder.block_params(entry) else {
-        return Err("a function has not its two parameters");
+    let &[file, before, blocks] = builder.block_params(entry) else {
+        return Err("a function has not its three parameters");
     };
-    let before = builder.ins().iconst(I64, (shape.uniforms * WORD) as i64);
     let first = builder.ins().iadd(file, before);
     let size = builder.ins().imul_imm_s(blocks, (shape.slots * WORD) as i64);
     let end = builder.ins().iadd(first, size);
@@ -384,8 +383,8 @@ mod tests {
     use cranelift_codegen::control::ControlPlane;
 
     use super::*;
-    use crate::engine::jit::JitCode;
-    use crate::engine::jit::code::target;
+    use crate::engine::jit::Generator;
+    use crate::engine::jit::cranelift::code::target;
 
     /// The loop body of two loads, `op` on them and what follows, as assembly.
     fn assembly(ops: &[Op]) -> String {
@@ -409,7 +408,7 @@ mod tests {
     /// so nothing else would show it.
     #[test]
     fn operations_become_the_instructions_meant() {
-        if JitCode::available().is_err() {
+        if Generator::Cranelift.available().is_err() {
             return;
         }
         for (ops, instruction) in [
