@@ -81,4 +81,6 @@ pub mod show;
 pub mod specialise;
 pub mod state;
 pub mod storage;
+#[cfg(any(test, feature = "testing"))]
+pub mod testing;
 pub mod values;

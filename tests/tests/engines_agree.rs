@@ -4,38 +4,10 @@
 
 use phenomenon_compiler::engine::{Engine, Options};
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_tests::differential::{Agreement, Case};
-use phenomenon_tests::print::graph_text;
-use phenomenon_tests::random::Random;
-use phenomenon_tests::random_graph::random_graph;
-use phenomenon_tests::scopes::with_more_scopes;
-use phenomenon_tests::shrink::shrink;
+use phenomenon_compiler::testing::engines::{agreed, random_case};
 
 fn from_environment(name: &str, otherwise: u64) -> u64 {
     std::env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(otherwise)
-}
-
-fn case(seed: u64, library: &NodeLibrary) -> Case {
-    let mut random = Random::new(seed);
-    let size = 1 + random.below(if random.clone().chance(30) { 12 } else { 60 });
-    let (graph, values) = random_graph(&mut random, library, size);
-    Case::random(&mut random, graph, values)
-}
-
-fn check(seed: u64, case: &Case) -> Agreement {
-    match case.check() {
-        Ok(agreement) => agreement,
-        Err(error) => {
-            let (small, error) = shrink(case, error);
-            let text = graph_text(&small.graph);
-            let Case { values, points, .. } = small;
-            panic!(
-                "seed {seed}: {error}\n{text}values {values:?}\n{} points: {:?}",
-                points.len(),
-                points[0]
-            );
-        }
-    }
 }
 
 #[test]
@@ -44,8 +16,8 @@ fn on_random_graphs() {
 }
 
 #[test]
-fn on_random_graphs_with_more_scopes() {
-    agree_on_random_graphs(with_more_scopes(), 500);
+fn on_random_graphs_with_more_scopes_requests_and_loops() {
+    agree_on_random_graphs(phenomenon_foreign_nodes::library(), 500);
 }
 
 fn agree_on_random_graphs(library: NodeLibrary, cases: u64) {
@@ -56,7 +28,7 @@ fn agree_on_random_graphs(library: NodeLibrary, cases: u64) {
     let mut with_requests = 0;
     let mut requests = 0;
     for seed in first..first + cases {
-        let agreement = check(seed, &case(seed, &library));
+        let agreement = agreed(seed, &random_case(seed, &library));
         ran += u64::from(agreement.ran);
         naive += u64::from(agreement.naive);
         with_requests += u64::from(agreement.requests > 0);
@@ -73,8 +45,8 @@ fn agree_on_random_graphs(library: NodeLibrary, cases: u64) {
 fn whatever_engine_is_taken_by_itself() {
     let library = NodeLibrary::standard();
     for seed in 1 << 32..(1 << 32) + 40 {
-        let mut case = case(seed, &library);
+        let mut case = random_case(seed, &library);
         case.options = vec![Options { engine: Engine::Auto, ..case.options[1] }; 3];
-        check(seed, &case);
+        agreed(seed, &case);
     }
 }

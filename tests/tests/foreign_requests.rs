@@ -3,74 +3,14 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
-use phenomenon_tests::build::{Build, Built, color, every_engine};
-use phenomenon_tests::differential::Case;
-use phenomenon_tests::mock::MockRenderer;
-use phenomenon_tests::random::Random;
+use phenomenon_compiler::testing::build::{Build, Built, color};
+use phenomenon_compiler::testing::mock::MockRenderer;
+use phenomenon_foreign_nodes::library;
 
-/// A mirror that wants the colour alone.
-mod colour_of_mirror {
-    use phenomenon_compiler::node;
-    use phenomenon_compiler::nodes::{NOT_NEGATIVE, node};
-
-    node! {
-        /// The colour a mirror shows.
-        colour_of_mirror in rays request TraceReflection,
-        source "test",
-        inputs {
-            /// Direction of the ray.
-            direction: vector = node("reflection_direction");
-        }
-        outputs {
-            /// Colour seen along the ray.
-            color: color, in NOT_NEGATIVE;
-        }
-    }
-}
-
-/// A mirror that wants the end of the answer first, and no colour.
-mod reach_of_mirror {
-    use phenomenon_compiler::node;
-    use phenomenon_compiler::nodes::{NOT_NEGATIVE, node};
-
-    node! {
-        /// How far a mirror sees.
-        reach_of_mirror in rays request TraceReflection,
-        source "test",
-        inputs {
-            /// Direction of the ray.
-            direction: vector = node("reflection_direction");
-        }
-        outputs {
-            /// Distance to what is seen.
-            distance: scalar, in NOT_NEGATIVE;
-            /// Whether anything is.
-            hit: boolean;
-        }
-    }
-}
-
-fn library() -> NodeLibrary {
-    let mut library = NodeLibrary::standard();
-    library.add(colour_of_mirror::definition());
-    library.add(reach_of_mirror::definition());
-    library
-}
-
-/// All engines and the naive evaluator agree on `built`.
+/// All engines and the naive evaluator agree on `built`, which asks.
 fn agree(built: &Built) {
-    let mut random = Random::new(5);
-    let case = Case {
-        graph: Arc::clone(&built.graph),
-        values: Vec::new(),
-        points: random.states(33),
-        options: every_engine(),
-        naive: true,
-    };
-    let agreement = case.check().unwrap_or_else(|error| panic!("{error}"));
-    assert!(agreement.ran && agreement.naive && agreement.requests > 0);
+    assert!(built.agree(5).requests > 0);
 }
 
 #[test]

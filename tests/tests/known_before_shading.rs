@@ -4,9 +4,9 @@ use phenomenon_compiler::effects::Renderer;
 use phenomenon_compiler::engine::{Options, Shade, Shaded, Shader, ShaderError};
 use phenomenon_compiler::graph::{Binding, RootKind};
 use phenomenon_compiler::state::State;
+use phenomenon_compiler::testing::build::{Build, Built, every_engine};
+use phenomenon_compiler::testing::mock::MockRenderer;
 use phenomenon_compiler::values::Literal;
-use phenomenon_tests::build::{Build, Built, every_engine};
-use phenomenon_tests::mock::MockRenderer;
 
 /// Noise of so many octaves, as a colour.
 fn noise(octaves: Binding, kind: Binding, mut build: Build) -> Built {

@@ -7,12 +7,12 @@ use phenomenon_compiler::engine::{Engine, Options, Shader};
 use phenomenon_compiler::graph::{Binding, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
+use phenomenon_compiler::testing::build::{Build, Built, color, every_engine, scalar, vector};
+use phenomenon_compiler::testing::differential::outcome;
+use phenomenon_compiler::testing::mock::MockRenderer;
+use phenomenon_compiler::testing::random::Random;
+use phenomenon_compiler::testing::random_graph::{random_graph, random_value};
 use phenomenon_compiler::values::Literal;
-use phenomenon_tests::build::{Build, Built, color, every_engine, scalar, vector};
-use phenomenon_tests::differential::outcome;
-use phenomenon_tests::mock::MockRenderer;
-use phenomenon_tests::random::Random;
-use phenomenon_tests::random_graph::{random_graph, random_value};
 
 /// Ordinary points, each its own place; every third hit from inside.
 fn points(count: u32) -> Vec<State> {

@@ -1,127 +1,22 @@
 //! Loops over samples, and every way turns become one value: in all engines, against the definition.
-//! The nodes are those of another crate; the standard library has none over samples.
-
-use std::sync::Arc;
+//! The nodes are those of another crate: the standard library has none over samples.
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::document;
 use phenomenon_compiler::effects::Effect;
 use phenomenon_compiler::graph::Binding;
-use phenomenon_compiler::nodes::{Definition, NodeLibrary};
-use phenomenon_compiler::state::{Iterated, State};
+use phenomenon_compiler::state::State;
+use phenomenon_compiler::testing::build::Build;
+use phenomenon_compiler::testing::mock::MockRenderer;
+use phenomenon_compiler::testing::random::Random;
 use phenomenon_compiler::values::{Literal, Type};
-use phenomenon_tests::build::{Build, Built, every_engine};
-use phenomenon_tests::differential::Case;
-use phenomenon_tests::mock::MockRenderer;
-use phenomenon_tests::random::Random;
-
-/// Loops over samples of colours, one for each way their values become one.
-macro_rules! over_samples {
-    ($($name:ident $reduction:ident),+) => { $(
-        mod $name {
-            use phenomenon_compiler::node;
-            use phenomenon_compiler::nodes::{BLACK, Kind};
-            use phenomenon_compiler::state::{Iterated, Reduction};
-
-            node! {
-                /// Evaluates `body` once for every sample.
-                $name in scopes structural [Kind::Loop(Iterated::Samples, Reduction::$reduction)],
-                source "test",
-                inputs {
-                    /// How many samples.
-                    count: integer = 4;
-                }
-                scoped {
-                    /// What a sample yields.
-                    body: color = BLACK;
-                }
-                outputs {
-                    /// What they become.
-                    color: color;
-                }
-            }
-        }
-    )+ };
-}
-
-over_samples!(sample_sum Sum, sample_mean Mean, sample_maximum Maximum, sample_over Over);
-
-mod twice {
-    use phenomenon_compiler::node;
-
-    node! {
-        /// A whole number, twice.
-        twice in arithmetic,
-        source "test",
-        inputs {
-            /// The number.
-            number: integer = 0;
-        }
-        outputs {
-            /// Its double.
-            result: integer;
-        }
-        body |e, i| Outputs { result: i.number + i.number }
-    }
-}
-
-mod mean_over_lights {
-    use phenomenon_compiler::node;
-    use phenomenon_compiler::nodes::Kind;
-    use phenomenon_compiler::state::{Iterated, Reduction};
-
-    node! {
-        /// The mean of a number over lights.
-        mean_over_lights in scopes structural [Kind::Loop(Iterated::Lights, Reduction::Mean)],
-        source "test",
-        inputs {
-            /// Which.
-            lights: lights = Vec::new();
-        }
-        scoped {
-            /// What a light yields.
-            body: scalar = 0.0;
-        }
-        outputs {
-            /// Their mean.
-            value: scalar;
-        }
-    }
-}
-
-fn library() -> NodeLibrary {
-    let mut library = NodeLibrary::standard();
-    library.add(sample_sum::definition());
-    library.add(sample_mean::definition());
-    library.add(sample_maximum::definition());
-    library.add(sample_over::definition());
-    library.add(mean_over_lights::definition());
-    library.add(twice::definition());
-    let fields = Iterated::Samples.provides().map(|field| (field.name(), field));
-    library.add(Definition::of_fields("sample", "The sample of the loop round it.", fields));
-    library
-}
+use phenomenon_foreign_nodes::library;
 
 const LOOPS: [&str; 4] = ["sample_sum", "sample_mean", "sample_maximum", "sample_over"];
 
 fn integer(value: i32) -> Binding {
     Binding::Literal(Literal::Integer(value))
-}
-
-/// All engines and the naive evaluator agree on `built`; the requests made.
-fn agree(built: &Built, seed: u64) -> usize {
-    let mut random = Random::new(seed);
-    let case = Case {
-        graph: Arc::clone(&built.graph),
-        values: Vec::new(),
-        points: random.states(33),
-        options: every_engine(),
-        naive: true,
-    };
-    let agreement = case.check().unwrap_or_else(|error| panic!("{error}"));
-    assert!(agreement.ran && agreement.naive);
-    agreement.requests
 }
 
 /// A colour of the numbers of the sample: index, u, v, and alpha v.
@@ -139,7 +34,7 @@ fn every_reduction_is_the_same_in_all_engines() {
             let mut build = Build::with(library());
             let body = drawn(&mut build);
             let made = build.node(name, &[("count", integer(count)), ("body", body)]);
-            agree(&build.material(made.first()), 7);
+            build.material(made.first()).agree(7);
         }
     }
 }
@@ -183,15 +78,7 @@ fn a_count_may_differ_from_point_to_point() {
             // Some ask for none, and for less.
             point.reflection_level = at as i32 - 3;
         }
-        let built = build.material(made.first());
-        let case = Case {
-            graph: built.graph,
-            values: Vec::new(),
-            points,
-            options: every_engine(),
-            naive: true,
-        };
-        assert!(case.check().unwrap_or_else(|error| panic!("{error}")).naive);
+        build.material(made.first()).agree_at(points);
     }
 }
 
@@ -207,7 +94,7 @@ fn each_turn_asks_and_what_does_not_look_at_it_is_asked_once() {
     let inputs = [("count", integer(3)), ("body", both.first())];
     let made = build.node("sample_mean", &inputs);
     let built = build.material(made.first());
-    assert_eq!(agree(&built, 11), 33 * 4);
+    assert_eq!(built.agree(11).requests, 33 * 4);
     let points = [State::default(); 9];
     built.in_every_engine(&[], &points, &MockRenderer::default(), |engine, renderer, _| {
         assert_eq!(renderer.count(Effect::TraceReflection), 27, "{engine}");
@@ -235,7 +122,7 @@ fn loops_over_lights_and_samples_stand_in_one_another() {
             let inner = lights(&mut build, both.first());
             samples(&mut build, inner)
         };
-        agree(&build.material(made), 13);
+        build.material(made).agree(13);
     }
 }
 
@@ -248,7 +135,7 @@ fn numbers_are_averaged_over_lights() {
     let inputs = [("a", light.output("distance")), ("b", split.first())];
     let sum = build.node_of("add", Type::Scalar, &inputs);
     let made = build.node("mean_over_lights", &[("body", sum.first())]);
-    assert!(agree(&build.material(made.first()), 17) > 0);
+    assert!(build.material(made.first()).agree(17).requests > 0);
 }
 
 #[test]

@@ -6,9 +6,9 @@ use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
 use phenomenon_compiler::graph::{Binding, RootKind};
 use phenomenon_compiler::specialise::{MAX_NESTED_LOOPS, SpecialiseError, expand};
 use phenomenon_compiler::state::{RayType, State};
+use phenomenon_compiler::testing::build::{Build, Built, color, scalar, vector};
+use phenomenon_compiler::testing::differential::{Outcome, outcome};
 use phenomenon_compiler::values::Type;
-use phenomenon_tests::build::{Build, Built, color, scalar, vector};
-use phenomenon_tests::differential::{Outcome, outcome};
 
 const ENGINES: [Engine; 3] = [Engine::Walk, Engine::Batch, Engine::Jit];
 

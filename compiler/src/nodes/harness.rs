@@ -1,37 +1,12 @@
-//! What the tests of nodes use: a body evaluated for one point, inputs by name.
+//! What the tests in files of nodes use: a body evaluated for one point, inputs by name.
 
 use super::{DefaultValue, Definition, Overload};
 use crate::state::State;
 use crate::values::{Literal, Type};
 
-impl From<f32> for Literal {
-    fn from(value: f32) -> Self {
-        Literal::Scalar(value)
-    }
-}
-impl From<i32> for Literal {
-    fn from(value: i32) -> Self {
-        Literal::Integer(value)
-    }
-}
-impl From<bool> for Literal {
-    fn from(value: bool) -> Self {
-        Literal::Boolean(value)
-    }
-}
-impl From<[f32; 3]> for Literal {
-    fn from(value: [f32; 3]) -> Self {
-        Literal::Vector(value)
-    }
-}
-impl From<[f32; 4]> for Literal {
-    fn from(value: [f32; 4]) -> Self {
-        Literal::Color(value)
-    }
-}
-
 /// The numbers of an output: `numbers!(a = 1.0, b = 2.0 => result)`. Inputs that are not given have
 /// their defaults, over the default state.
+#[macro_export]
 macro_rules! numbers {
     ($($input:ident = $value:expr),* => $output:ident) => {
         $crate::nodes::harness::numbers(
@@ -43,20 +18,23 @@ macro_rules! numbers {
 }
 
 /// The one number of an output; see `numbers!`.
+#[macro_export]
 macro_rules! number {
     ($($input:ident = $value:expr),* => $output:ident) => {
-        numbers!($($input = $value),* => $output)[0]
+        $crate::numbers!($($input = $value),* => $output)[0]
     };
 }
 
 /// The truth of an output; see `numbers!`.
+#[macro_export]
 macro_rules! truth {
     ($($input:ident = $value:expr),* => $output:ident) => {
-        number!($($input = $value),* => $output).to_bits() != 0
+        $crate::number!($($input = $value),* => $output).to_bits() != 0
     };
 }
 
 /// Whether an input is demanded; see `numbers!`.
+#[macro_export]
 macro_rules! demanded {
     ($($input:ident = $value:expr),* => $guarded:ident) => {
         $crate::nodes::harness::demanded(
@@ -68,6 +46,9 @@ macro_rules! demanded {
 }
 
 /// Words of an output as numbers, the overload chosen by the first generic input given.
+///
+/// # Panics
+/// If the node has no such input or output, or its native and portable forms differ.
 pub fn numbers(definition: &Definition, given: &[(&str, Literal)], output: &str) -> Vec<f32> {
     let signature = &definition.signature;
     let overload = overload(definition, given);
@@ -87,6 +68,9 @@ pub fn numbers(definition: &Definition, given: &[(&str, Literal)], output: &str)
 }
 
 /// Whether the guard of an input holds.
+///
+/// # Panics
+/// If the node has no such input, or that has no guard.
 pub fn demanded(definition: &Definition, given: &[(&str, Literal)], input: &str) -> bool {
     let overload = overload(definition, given);
     let at = definition.signature.input(input).expect("the node has this input");
@@ -96,7 +80,10 @@ pub fn demanded(definition: &Definition, given: &[(&str, Literal)], input: &str)
     holds[0] != 0
 }
 
-/// Within `relative` of what is expected, or within `absolute`.
+/// Holds that values are within `relative` of what is expected, or within `absolute`.
+///
+/// # Panics
+/// If they are not.
 #[track_caller]
 pub fn assert_close(values: &[f32], expected: &[f64], relative: f64, absolute: f64) {
     assert_eq!(values.len(), expected.len());
@@ -110,6 +97,9 @@ pub fn assert_close(values: &[f32], expected: &[f64], relative: f64, absolute: f
 }
 
 /// The type with [`Type::Generic`] replaced.
+///
+/// # Panics
+/// If the overload is not for a type.
 pub fn settled(value_type: Type, overload: &Overload) -> Type {
     match value_type {
         Type::Generic => overload.generic.expect("a generic input has a generic overload"),

@@ -3,9 +3,9 @@
 #[macro_use]
 mod macros;
 
-#[cfg(test)]
+#[cfg(any(test, feature = "testing"))]
 #[macro_use]
-mod harness;
+pub mod harness;
 #[cfg(test)]
 mod adding_a_node;
 #[cfg(test)]

@@ -135,6 +135,36 @@ fn number_of(text: &str) -> u32 {
     number
 }
 
+impl From<f32> for Literal {
+    fn from(value: f32) -> Self {
+        Literal::Scalar(value)
+    }
+}
+
+impl From<i32> for Literal {
+    fn from(value: i32) -> Self {
+        Literal::Integer(value)
+    }
+}
+
+impl From<bool> for Literal {
+    fn from(value: bool) -> Self {
+        Literal::Boolean(value)
+    }
+}
+
+impl From<[f32; 3]> for Literal {
+    fn from(value: [f32; 3]) -> Self {
+        Literal::Vector(value)
+    }
+}
+
+impl From<[f32; 4]> for Literal {
+    fn from(value: [f32; 4]) -> Self {
+        Literal::Color(value)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

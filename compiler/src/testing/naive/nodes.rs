@@ -2,11 +2,11 @@
 
 use std::collections::HashMap;
 
-use phenomenon_compiler::graph::{Binding, Graph, Node};
-use phenomenon_compiler::nodes::{DefaultValue, NodeLibrary};
-use phenomenon_compiler::values::{Literal, Type};
+use crate::graph::{Binding, Graph, Node};
+use crate::nodes::{DefaultValue, NodeLibrary};
+use crate::values::{Literal, Type};
 
-use crate::reads::{self, Fields};
+use crate::testing::reads::{self, Fields};
 
 /// Evaluates roots of a graph.
 pub struct Naive<'a> {

@@ -1,13 +1,13 @@
 //! A renderer without a scene: each answer is a hash of what the request may depend on, and each
 //! request is logged.
 
-use phenomenon_compiler::effects::{
+use crate::effects::{
     Answer, Effect, LightList, LightSample, Points, Ray, Renderer, TextureId, Trace,
 };
-use phenomenon_compiler::state::{Field, State};
-use phenomenon_compiler::values::{Texture, Type};
+use crate::state::{Field, State};
+use crate::values::{Texture, Type};
 
-use crate::random::{Random, canonical, mixed};
+use super::random::{Random, canonical, mixed};
 
 /// A request: effect, number of the point that asked, then the words of all it may depend on.
 pub type Record = Vec<u32>;

@@ -4,13 +4,13 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use phenomenon_compiler::graph::{Binding, Graph, Root};
-use phenomenon_compiler::nodes::DefaultValue;
-use phenomenon_compiler::values::{Literal, Type};
+use crate::graph::{Binding, Graph, Root};
+use crate::nodes::DefaultValue;
+use crate::values::{Literal, Type};
 
-use crate::differential::Case;
-use crate::random_graph::is_of_light;
-use crate::reads::{self, Fields};
+use super::differential::Case;
+use super::random_graph::is_of_turn;
+use super::reads::{self, Fields};
 
 /// How long to go on shrinking.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -152,7 +152,7 @@ fn without_unused(mut graph: Graph) -> Graph {
     graph
 }
 
-/// Whether the light of a loop is read below loops only.
+/// Whether turns of loops are read below loops only.
 fn is_valid(graph: &Graph) -> bool {
     let mut known: Vec<Option<Fields>> = vec![None; graph.nodes.len()];
     let mut settled = true;
@@ -174,11 +174,11 @@ fn is_valid(graph: &Graph) -> bool {
             }
         }
     }
-    let reads_light = |binding: &Binding| match binding {
+    let reads_turn = |binding: &Binding| match binding {
         Binding::Node { node, output } => known[*node].as_ref().is_some_and(|whole| {
-            is_of_light(&reads::of_output(&graph.library, &graph.nodes[*node], *output, whole))
+            is_of_turn(&reads::of_output(&graph.library, &graph.nodes[*node], *output, whole))
         }),
         _ => false,
     };
-    !graph.roots.iter().any(|root| reads_light(&root.color) || reads_light(&root.ok))
+    !graph.roots.iter().any(|root| reads_turn(&root.color) || reads_turn(&root.ok))
 }

@@ -1,15 +1,11 @@
-//! Scopes the standard library does not have (yet), so that every field a ray can carry is changed
-//! by some scope.
+//! Scopes over fields that no standard scope changes, so that every field a ray can carry is changed by
+//! some scope.
 
-use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::nodes::Definition;
 
-/// The standard nodes, and the scopes of this module.
-pub fn with_more_scopes() -> NodeLibrary {
-    let mut library = NodeLibrary::standard();
-    library.add(enter_medium::definition());
-    library.add(turn::definition());
-    library.add(flip::definition());
-    library
+/// The nodes.
+pub fn definitions() -> [Definition; 3] {
+    [enter_medium::definition(), turn::definition(), flip::definition()]
 }
 
 /// The node `enter_medium`.
@@ -20,8 +16,8 @@ pub mod enter_medium {
 
     node! {
         /// Evaluates `input` with other indices of refraction.
-        enter_medium in scopes scope [Ior, IorIn],
-        source "test",
+        enter_medium in foreign scope [Ior, IorIn],
+        source "",
         inputs {
             /// The index outside.
             ior: scalar = 1.5;
@@ -51,8 +47,8 @@ pub mod flip {
 
     node! {
         /// Evaluates `input` as if the surface were hit from the other side.
-        flip in scopes scope [InvNormal],
-        source "test",
+        flip in foreign scope [InvNormal],
+        source "",
         inputs {
             /// Whether it is hit from inside.
             inside: boolean = state(Field::InvNormal);
@@ -78,8 +74,8 @@ pub mod turn {
 
     node! {
         /// Evaluates `input` with another direction and another time.
-        turn in scopes scope [Direction, Time],
-        source "test",
+        turn in foreign scope [Direction, Time],
+        source "",
         inputs {
             /// The direction.
             direction: vector = state(Field::Normal);

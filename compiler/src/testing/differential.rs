@@ -3,16 +3,16 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use phenomenon_compiler::engine::jit::Generator;
-use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
-use phenomenon_compiler::graph::{Graph, RootKind};
-use phenomenon_compiler::specialise::{SpecialiseError, expand};
-use phenomenon_compiler::state::State;
-use phenomenon_compiler::values::Literal;
+use crate::engine::jit::Generator;
+use crate::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
+use crate::graph::{Graph, RootKind};
+use crate::specialise::{SpecialiseError, expand};
+use crate::state::State;
+use crate::values::Literal;
 
-use crate::mock::{MockRenderer, Record};
-use crate::naive::Naive;
-use crate::random::{Random, canonical};
+use super::mock::{MockRenderer, Record};
+use super::naive::Naive;
+use super::random::{Random, canonical};
 
 /// Graphs that specialise to more instances are not run: scopes can double them at each level.
 const MOST_INSTANCES: usize = 3_000;

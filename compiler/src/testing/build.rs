@@ -2,14 +2,16 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::engine::jit::Generator;
-use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
-use phenomenon_compiler::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
-use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_compiler::state::State;
-use phenomenon_compiler::values::{Literal, Name, Type};
+use crate::engine::jit::Generator;
+use crate::engine::{Engine, Options, Shade, Shaded, Shader, Simd};
+use crate::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
+use crate::nodes::NodeLibrary;
+use crate::state::State;
+use crate::values::{Literal, Name, Type};
 
-use crate::mock::MockRenderer;
+use super::differential::{Agreement, Case};
+use super::mock::MockRenderer;
+use super::random::Random;
 
 /// A graph in the making.
 #[derive(Clone, Debug)]
@@ -157,6 +159,27 @@ impl Built {
     /// If that fails.
     pub fn shader(&self, values: &[(String, Literal)], options: Options) -> Shader {
         Shader::new(Arc::clone(&self.graph), values, options).expect("the graph compiles")
+    }
+
+    /// What came of it at random points, in all engines and by the definition, which agree.
+    ///
+    /// # Panics
+    /// If they do not, or if the graph was too large to be run.
+    pub fn agree(&self, seed: u64) -> Agreement {
+        self.agree_at(Random::new(seed).states(33))
+    }
+
+    /// The same at these points, which are of one ray type.
+    ///
+    /// # Panics
+    /// As [`Self::agree`] does.
+    pub fn agree_at(&self, points: Vec<State>) -> Agreement {
+        let graph = Arc::clone(&self.graph);
+        let options = every_engine();
+        let case = Case { graph, values: Vec::new(), points, options, naive: true };
+        let agreement = case.check().unwrap_or_else(|error| panic!("{error}"));
+        assert!(agreement.ran && agreement.naive, "the graph is too large");
+        agreement
     }
 
     /// Shades `points` in every engine with a clone of `renderer` and shows what came of it.

@@ -1,9 +1,9 @@
 //! What lies round a point: scopes and turns of loops.
 
-use phenomenon_compiler::effects::LightList;
-use phenomenon_compiler::state::Field;
+use crate::effects::LightList;
+use crate::state::Field;
 
-use crate::reads::Fields;
+use crate::testing::reads::Fields;
 
 /// Position in the tree of surroundings; 0 is the point itself.
 pub(super) type SurroundingsId = usize;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use phenomenon_compiler::graph::{Binding, Graph};
+use crate::graph::{Binding, Graph};
 
 /// The graph, a line for each node; inputs left at their defaults are left out.
 pub fn graph_text(graph: &Graph) -> String {

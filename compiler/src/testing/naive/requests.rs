@@ -1,9 +1,9 @@
 //! What nodes ask of the renderer.
 
-use phenomenon_compiler::effects::{Answer, Effect, Ray, Trace};
-use phenomenon_compiler::graph::Binding;
-use phenomenon_compiler::state::Field;
-use phenomenon_compiler::values::Literal;
+use crate::effects::{Answer, Effect, Ray, Trace};
+use crate::graph::Binding;
+use crate::state::Field;
+use crate::values::Literal;
 
 use super::evaluation::Evaluation;
 use super::nodes::TooLong;

@@ -2,16 +2,16 @@
 
 use std::collections::HashMap;
 
-use phenomenon_compiler::effects::{Asked, Effect, LightList, Renderer};
-use phenomenon_compiler::graph::Binding;
-use phenomenon_compiler::nodes::{DefaultValue, Kind, Output};
-use phenomenon_compiler::specialise::mix_key;
-use phenomenon_compiler::state::{Field, State};
-use phenomenon_compiler::values::{Literal, Type};
+use crate::effects::{Asked, Effect, LightList, Renderer};
+use crate::graph::Binding;
+use crate::nodes::{DefaultValue, Kind, Output};
+use crate::specialise::mix_key;
+use crate::state::{Field, State};
+use crate::values::{Literal, Type};
 
 use super::nodes::{Naive, TooLong};
 use super::surroundings::{Inside, Surroundings, SurroundingsId};
-use crate::reads::{self, Fields};
+use crate::testing::reads::{self, Fields};
 
 /// One evaluation of a root.
 pub(super) struct Evaluation<'a> {

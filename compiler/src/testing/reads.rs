@@ -3,9 +3,9 @@
 
 use std::collections::BTreeSet;
 
-use phenomenon_compiler::graph::{Binding, Node};
-use phenomenon_compiler::nodes::{DefaultValue, Kind, NodeLibrary};
-use phenomenon_compiler::state::{Field, Iterated};
+use crate::graph::{Binding, Node};
+use crate::nodes::{DefaultValue, Kind, NodeLibrary};
+use crate::state::{Field, Iterated};
 
 /// Fields.
 pub type Fields = BTreeSet<Field>;

@@ -1,7 +1,7 @@
 //! Seeded randomness for tests, with a taste for hard values.
 
-use phenomenon_compiler::state::{Hit, RayType, State};
-use phenomenon_compiler::values::{Literal, Space, Texture, Type};
+use crate::state::{Hit, RayType, State};
+use crate::values::{Literal, Space, Texture, Type};
 
 /// Numbers at which arithmetic goes wrong.
 pub const HARD: [f32; 22] = [
@@ -34,7 +34,7 @@ const LIGHTS: [&str; 3] = ["key", "fill", "rim"];
 /// Textures, and none.
 const TEXTURES: [Option<&str>; 3] = [None, Some("wood.png"), Some("sky.exr")];
 
-/// A generator whose whole sequence follows from its seed.
+/// A generator (SplitMix64) whose whole sequence follows from its seed.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
@@ -68,6 +68,11 @@ impl Random {
     /// A number in 0..1.
     pub fn unit(&mut self) -> f32 {
         (self.bits() >> 40) as f32 / (1 << 24) as f32
+    }
+
+    /// A number in 0..1, of all 53 bits.
+    pub fn fine_unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// Some number: often between -1 and 1, often 0 or 1, sometimes hard.

@@ -1,10 +1,10 @@
 //! Loops, turn by turn.
 
-use phenomenon_compiler::effects::LightSample;
-use phenomenon_compiler::graph::Binding;
-use phenomenon_compiler::specialise::mix_key;
-use phenomenon_compiler::state::{Field, Iterated, MOST_TURNS, Reduction};
-use phenomenon_compiler::values::{Literal, Type};
+use crate::effects::LightSample;
+use crate::graph::Binding;
+use crate::specialise::mix_key;
+use crate::state::{Field, Iterated, MOST_TURNS, Reduction};
+use crate::values::{Literal, Type};
 
 use super::evaluation::Evaluation;
 use super::nodes::TooLong;

@@ -1,17 +1,17 @@
 //! Random graphs that the checker would accept, drawn from whatever the library holds.
 //!
 //! Nodes are made sources first and shuffled at the end. Sharing is heavy, guards hang on traces, and
-//! what reads the light of a loop is demanded below loops only.
+//! what reads a turn of a loop is demanded below such loops only.
 
-use phenomenon_compiler::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
-use phenomenon_compiler::nodes::{
-    DefaultValue, FINITE, Input, Kind, NodeLibrary, NodeType, Signature,
+use crate::graph::{Binding, Graph, Node, Parameter, Root, RootKind};
+use crate::nodes::{
+    DefaultValue, Definition, FINITE, Input, Kind, NodeLibrary, NodeType, Signature,
 };
-use phenomenon_compiler::state::{Field, Iterated};
-use phenomenon_compiler::values::{Literal, Type};
+use crate::state::Iterated;
+use crate::values::{Literal, Type};
 
-use crate::random::Random;
-use crate::reads::{self, Fields};
+use super::random::Random;
+use super::reads::{self, Fields};
 
 /// Most loops inside loops: each multiplies the work.
 const MOST_NESTED_LOOPS: usize = 3;
@@ -22,11 +22,17 @@ pub fn random_graph(
     library: &NodeLibrary,
     size: usize,
 ) -> (Graph, Vec<(String, Literal)>) {
-    let mut growing = Growing::new(random, library);
-    for _ in 0..size {
-        growing.add();
-    }
-    growing.finish()
+    Growing::new(random, library).grown(size, None)
+}
+
+/// The same with a node type that every fourth node is of, or so.
+pub fn random_graph_of(
+    random: &mut Random,
+    library: &NodeLibrary,
+    size: usize,
+    node_type: NodeType,
+) -> (Graph, Vec<(String, Literal)>) {
+    Growing::new(random, library).grown(size, Some(node_type))
 }
 
 /// A value of some parameter or other: of the right type and within its range, else as hard as literals
@@ -79,9 +85,9 @@ fn classes(library: &NodeLibrary) -> Vec<Vec<NodeType>> {
         guarded.clone(),
         guarded,
         of(&|signature| matches!(signature.kind, Kind::Scope(_))),
-        of(&|signature| is_over_lights(signature)),
+        of(&|signature| over(signature).is_some()),
         of(&|signature| matches!(signature.kind, Kind::Fields(_))),
-        of(&|signature| reads_light(library, signature)),
+        of(&|signature| reads_turn(library, signature)),
         of(&|signature| signature.outputs[0].value_type == Type::Boolean),
         of(&|signature| signature.kind == Kind::Plain),
         of(&|signature| signature.kind == Kind::Plain),
@@ -90,26 +96,30 @@ fn classes(library: &NodeLibrary) -> Vec<Vec<NodeType>> {
     classes
 }
 
-fn is_over_lights(signature: &Signature) -> bool {
-    matches!(signature.kind, Kind::Loop(Iterated::Lights, _))
+/// What a loop runs over.
+fn over(signature: &Signature) -> Option<Iterated> {
+    match signature.kind {
+        Kind::Loop(iterated, _) => Some(iterated),
+        _ => None,
+    }
 }
 
-/// Whether loops over lights provide a field.
-fn is_provided(field: Field) -> bool {
-    field.of_loop() == Some(Iterated::Lights)
-}
-
-fn reads_light(library: &NodeLibrary, signature: &Signature) -> bool {
+fn reads_turn(library: &NodeLibrary, signature: &Signature) -> bool {
     let node = reads::implied(library, &signature.name);
     match &signature.kind {
-        Kind::Fields(fields) => fields.iter().any(|field| is_provided(*field)),
-        _ => is_of_light(&reads::of_node(library, &node, &|_, _| Fields::new())),
+        Kind::Fields(fields) => fields.iter().any(|field| field.of_loop().is_some()),
+        _ => is_of_turn(&reads::of_node(library, &node, &|_, _| Fields::new())),
     }
 }
 
 /// Whether something that reads these fields belongs below a loop.
-pub fn is_of_light(fields: &Fields) -> bool {
-    fields.iter().any(|field| is_provided(*field))
+pub fn is_of_turn(fields: &Fields) -> bool {
+    fields.iter().any(|field| field.of_loop().is_some())
+}
+
+/// Whether it belongs below one over these.
+fn is_of(iterated: Iterated, fields: &Fields) -> bool {
+    fields.iter().any(|field| field.of_loop() == Some(iterated))
 }
 
 impl<'a> Growing<'a> {
@@ -133,15 +143,27 @@ impl<'a> Growing<'a> {
         Self { random, library, classes, parameters, nodes: Vec::new(), facts: Vec::new() }
     }
 
-    fn add(&mut self) {
-        let class = self.random.below(self.classes.len());
-        let node_type = self.random.pick(&self.classes[class]);
+    fn grown(mut self, size: usize, often: Option<NodeType>) -> (Graph, Vec<(String, Literal)>) {
+        for _ in 0..size {
+            let node_type = match often {
+                Some(often) if self.random.chance(25) => often,
+                _ => {
+                    let class = self.random.below(self.classes.len());
+                    self.random.pick(&self.classes[class])
+                }
+            };
+            self.add(node_type);
+        }
+        self.finish()
+    }
+
+    fn add(&mut self, node_type: NodeType) {
         let definition = self.library.definition(node_type);
         let overload = self.random.below(definition.overloads.len());
         let generic = definition.overloads[overload].generic;
         let settled = |of: Type| if of == Type::Generic { generic.unwrap_or(of) } else { of };
         let signature = &definition.signature;
-        let is_loop = is_over_lights(signature);
+        let over = over(signature);
         let inputs: Vec<Binding> = signature
             .inputs
             .iter()
@@ -151,12 +173,18 @@ impl<'a> Growing<'a> {
                 }
                 let required = matches!(input.default, DefaultValue::Required);
                 let to = settled(input.value_type);
-                self.binding(to, required, input.scoped, is_loop && input.scoped)
+                match over {
+                    // Each turn costs.
+                    Some(Iterated::Samples) if !input.scoped => {
+                        Binding::Literal(Literal::Integer(self.random.below(5) as i32 - 1))
+                    }
+                    _ => self.binding(to, required, input.scoped, over.filter(|_| input.scoped)),
+                }
             })
             .collect();
         let outputs = signature.outputs.iter().map(|output| settled(output.value_type)).collect();
         let node = Node { name: format!("n{}", self.nodes.len()), node_type, overload, inputs };
-        let facts = self.facts(&node, outputs, is_loop);
+        let facts = self.facts(&node, outputs, over.is_some());
         self.nodes.push(node);
         self.facts.push(facts);
     }
@@ -195,15 +223,21 @@ impl<'a> Growing<'a> {
         }
     }
 
-    fn binding(&mut self, to: Type, required: bool, scoped: bool, of_loop: bool) -> Binding {
+    fn binding(
+        &mut self,
+        to: Type,
+        required: bool,
+        scoped: bool,
+        over: Option<Iterated>,
+    ) -> Binding {
         if !to.is_uniform() && (scoped || self.random.chance(75)) {
             let mut sources = self.sources(to);
-            if of_loop {
+            if let Some(over) = over {
                 sources.retain(|(node, _)| self.facts[*node].nested_loops < MOST_NESTED_LOOPS);
-                let of_light: Vec<_> =
-                    sources.iter().copied().filter(|(node, _)| self.is_of_light(*node)).collect();
-                if !of_light.is_empty() && self.random.chance(80) {
-                    sources = of_light;
+                let of_turn = |&(node, _): &(usize, usize)| is_of(over, &self.facts[node].reads);
+                let of_turn: Vec<_> = sources.iter().copied().filter(of_turn).collect();
+                if !of_turn.is_empty() && self.random.chance(80) {
+                    sources = of_turn;
                 }
             }
             if let Some((node, output)) = self.preferred(&sources) {
@@ -220,10 +254,6 @@ impl<'a> Growing<'a> {
             1 if !required => Binding::Default,
             _ => Binding::Literal(self.random.literal(to)),
         }
-    }
-
-    fn is_of_light(&self, node: usize) -> bool {
-        is_of_light(&self.facts[node].reads)
     }
 
     /// Outputs that fit, with the nodes they are of.
@@ -253,32 +283,38 @@ impl<'a> Growing<'a> {
         })
     }
 
-    /// Whether an output belongs below a loop.
-    fn output_is_of_light(&self, node: usize, output: usize) -> bool {
-        let whole = &self.facts[node].reads;
-        is_of_light(&reads::of_output(self.library, &self.nodes[node], output, whole))
+    /// What an output reads.
+    fn reads(&self, node: usize, output: usize) -> Fields {
+        reads::of_output(self.library, &self.nodes[node], output, &self.facts[node].reads)
     }
 
     /// What a root may take, large trees preferred; a colour that belongs below a loop gets one.
     fn root_source(&mut self, to: Type) -> Option<Binding> {
         let mut sources = self.sources(to);
         if to != Type::Color {
-            sources.retain(|&(node, output)| !self.output_is_of_light(node, output));
+            sources.retain(|&(node, output)| !is_of_turn(&self.reads(node, output)));
         }
         let tries: Vec<_> = (0..6).filter_map(|_| self.preferred(&sources)).collect();
         let best = tries
             .into_iter()
             .max_by_key(|(node, _)| (self.facts[*node].asks, self.facts[*node].below));
-        let (node, output) = best?;
-        let binding = Binding::Node { node, output };
-        Some(if self.output_is_of_light(node, output) { self.looped(binding) } else { binding })
+        let (mut node, mut output) = best?;
+        for iterated in Iterated::ALL {
+            if is_of(iterated, &self.reads(node, output)) {
+                (node, output) = (self.looped(iterated, Binding::Node { node, output }), 0);
+            }
+        }
+        Some(Binding::Node { node, output })
     }
 
-    /// A loop over all lights round a colour.
-    fn looped(&mut self, body: Binding) -> Binding {
+    /// A loop round a colour.
+    fn looped(&mut self, iterated: Iterated, body: Binding) -> usize {
         let mut types = self.library.iter();
-        let found = types.find(|(_, definition)| is_over_lights(&definition.signature));
-        let (node_type, definition) = found.expect("what reads light comes with a loop");
+        let found = types.find(|(_, Definition { signature, .. })| {
+            over(signature) == Some(iterated) && signature.outputs[0].value_type == Type::Color
+        });
+        let (node_type, definition) =
+            found.expect("what reads a turn comes with a loop of colours");
         let inputs = definition.signature.inputs.iter();
         let inputs = inputs.map(|input| if input.scoped { body.clone() } else { Binding::Default });
         let inputs = inputs.collect();
@@ -287,7 +323,7 @@ impl<'a> Growing<'a> {
         let facts = self.facts(&node, vec![Type::Color], true);
         self.nodes.push(node);
         self.facts.push(facts);
-        Binding::Node { node: self.nodes.len() - 1, output: 0 }
+        self.nodes.len() - 1
     }
 
     fn root(&mut self, kind: RootKind) -> Root {

@@ -2,16 +2,16 @@
 
 use std::collections::HashMap;
 
-use phenomenon_compiler::effects::Renderer;
-use phenomenon_compiler::engine::Shaded;
-use phenomenon_compiler::graph::{Binding, Root};
-use phenomenon_compiler::state::State;
-use phenomenon_compiler::values::{Literal, Type};
+use crate::effects::Renderer;
+use crate::engine::Shaded;
+use crate::graph::{Binding, Root};
+use crate::state::State;
+use crate::values::{Literal, Type};
 
 use super::evaluation::Evaluation;
 use super::nodes::{Naive, TooLong};
 use super::surroundings::{Inside, Surroundings};
-use crate::reads::Fields;
+use crate::testing::reads::Fields;
 
 impl Naive<'_> {
     /// Shades one point, in at most so many evaluations.
