@@ -13,6 +13,7 @@ use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::{RayType, State};
+use phenomenon_compiler::testing::random::Random;
 use phenomenon_compiler::values::Literal;
 use phenomenon_runtime::monoliths::{NAMES, find};
 
@@ -72,31 +73,26 @@ impl Renderer for Mock {
     }
 }
 
-/// Numbers in -1..1, the same in every run.
-struct Random(u64);
+/// A number in -1..1.
+fn signed_unit(random: &mut Random) -> f32 {
+    random.unit() * 2.0 - 1.0
+}
 
-impl Random {
-    fn next(&mut self) -> f32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        (self.0 >> 40) as f32 / (1 << 23) as f32 - 1.0
-    }
-
-    fn direction(&mut self) -> [f32; 3] {
-        loop {
-            let vector = glam::Vec3::new(self.next(), self.next(), self.next());
-            if (0.1..1.0).contains(&vector.length()) {
-                return vector.normalize().into();
-            }
+fn any_direction(random: &mut Random) -> [f32; 3] {
+    loop {
+        let vector = glam::Vec3::from_array([0; 3].map(|_| signed_unit(random)));
+        if (0.1..1.0).contains(&vector.length()) {
+            return vector.normalize().into();
         }
     }
 }
 
 fn points(ray_type: RayType) -> Vec<State> {
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     (0..600)
         .map(|number| {
-            let direction = random.direction();
-            let mut normal = random.direction();
+            let direction = any_direction(&mut random);
+            let mut normal = any_direction(&mut random);
             let dot = |normal: [f32; 3]| (0..3).map(|k| normal[k] * direction[k]).sum::<f32>();
             if dot(normal) > 0.0 {
                 normal = normal.map(|x| -x);
@@ -104,7 +100,11 @@ fn points(ray_type: RayType) -> Vec<State> {
             if number % 10 == 0 {
                 normal = direction.map(|x| -x);
             }
-            let point = [random.next() * 9.0, random.next(), random.next() * 9.0];
+            let point = [
+                signed_unit(&mut random) * 9.0,
+                signed_unit(&mut random),
+                signed_unit(&mut random) * 9.0,
+            ];
             let dot_nd = dot(normal).max(-1.0);
             State {
                 direction,

@@ -1,31 +1,13 @@
 //! Inputs on which back ends tend to differ, then random ones from a fixed seed.
 
+use phenomenon_compiler::testing::random::Random;
+
 use crate::back_ends::Rows;
 use crate::cases::Word;
 
-/// A 64-bit linear congruential generator with an output mix: the same inputs everywhere.
-pub struct Random(u64);
-
-impl Random {
-    pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    pub fn bits(&mut self) -> u32 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        let mixed = (self.0 >> 33) ^ self.0;
-        (mixed.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as u32
-    }
-
-    /// Even in -scale..scale.
-    pub fn real(&mut self, scale: f32) -> f32 {
-        (self.bits() as i32 as f32) * (scale / 2_147_483_648.0)
-    }
-
-    fn pick(&mut self, list: &[u32]) -> u32 {
-        list[self.bits() as usize % list.len()]
-    }
+/// Even in -scale..scale.
+fn real(random: &mut Random, scale: f32) -> u32 {
+    (random.bits() as i32 as f32 * (scale / 2_147_483_648.0)).to_bits()
 }
 
 /// Numbers at the edges of what operations and functions distinguish; each with its negative.
@@ -142,7 +124,7 @@ fn hard(word: Word) -> Vec<u32> {
 }
 
 fn random(word: Word, random: &mut Random) -> u32 {
-    match (word, random.bits() % 4) {
+    match (word, random.below(4)) {
         (Word::Mask, choice) => {
             if choice < 2 {
                 0
@@ -150,10 +132,10 @@ fn random(word: Word, random: &mut Random) -> u32 {
                 u32::MAX
             }
         }
-        (Word::Int, 0) => random.bits() % 64,
-        (Word::Real, 0) => random.real(1.0).to_bits(),
-        (Word::Real, 1) => random.real(100.0).to_bits(),
-        _ => random.bits(),
+        (Word::Int, 0) => random.below(64) as u32,
+        (Word::Real, 0) => real(random, 1.0),
+        (Word::Real, 1) => real(random, 100.0),
+        _ => random.bits() as u32,
     }
 }
 

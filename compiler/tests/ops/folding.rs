@@ -2,9 +2,9 @@
 
 use phenomenon_compiler::ops::{Op, OpSegment, dead, fold};
 use phenomenon_compiler::storage::Source;
+use phenomenon_compiler::testing::random::Random;
 
 use crate::random::Case;
-use crate::samples::Random;
 
 const ZERO: Op = Op::Constant(0);
 const MINUS_ZERO: Op = Op::Constant(0x8000_0000);
@@ -149,7 +149,7 @@ folds! { what_would_change_bits_stays:
 #[test]
 fn folding_changes_no_bit() {
     for seed in 0..400 {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let size = 10 + random.below(120);
         let case = Case::new(&mut random, size);
         let mut plain = case.file(&mut random, 0, 2);

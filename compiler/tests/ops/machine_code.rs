@@ -6,9 +6,10 @@ use phenomenon_compiler::emit::Table;
 use phenomenon_compiler::engine::jit::{Generator, JitCode, JitError};
 use phenomenon_compiler::ops::{Op, OpSegment, dead, fold, split};
 use phenomenon_compiler::storage::{FileShape, LANES, Lanes, Source};
+use phenomenon_compiler::testing::random::Random;
 
 use crate::random::Case;
-use crate::samples::{File, Kind, Random, yields};
+use crate::samples::{File, Kind, yields};
 
 /// Who makes code here: each generator there is on this machine, ours with few registers as well. A machine
 /// without any has nothing to test here, and must say why.
@@ -176,7 +177,7 @@ fn select_keeps_the_payload_of_a_nan() {
 #[test]
 fn random_segments_whole_folded_and_split() {
     for seed in 0..60 {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let size = [12, 40, 90, 200][seed as usize % 4];
         let case = Case::new(&mut random, size);
         let blocks = 1 + seed as usize % 33;
@@ -198,7 +199,7 @@ fn random_segments_whole_folded_and_split() {
 /// Above the limit for the ordinary register allocator.
 #[test]
 fn a_huge_segment_is_allocated_in_a_single_pass() {
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     let case = Case::new(&mut random, 2500);
     let file = case.file(&mut random, 0, 2);
     let kind = |slot: u32| case.slots[slot as usize];
@@ -374,7 +375,7 @@ fn no_block_is_touched_when_there_is_none() {
 #[test]
 fn code_is_shared_and_freed() {
     for maker in makers() {
-        let case = Case::new(&mut Random(3), 400);
+        let case = Case::new(&mut Random::new(3), 400);
         let compile = || {
             let shape = FileShape { uniforms: case.uniforms.len(), slots: case.slots.len() };
             let code = maker.compile(std::slice::from_ref(&case.segment), shape);
@@ -382,7 +383,7 @@ fn code_is_shared_and_freed() {
         };
         let code = compile();
         assert!(code.code_bytes() > 400);
-        let file = case.file(&mut Random(4), 0, 3);
+        let file = case.file(&mut Random::new(4), 0, 3);
         let mut expected = file.clone();
         expected.interpret(&case.segment);
         std::thread::scope(|scope| {

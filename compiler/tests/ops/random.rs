@@ -2,8 +2,9 @@
 
 use phenomenon_compiler::ops::{Op, OpId, OpSegment};
 use phenomenon_compiler::storage::{LANES, Lanes, Source};
+use phenomenon_compiler::testing::random::Random;
 
-use crate::samples::{File, Kind, Random, yields};
+use crate::samples::{File, Kind, yields};
 
 /// A random segment, and what it expects of its file.
 pub struct Case {
@@ -51,11 +52,11 @@ impl Case {
     pub fn file(&self, random: &mut Random, scratch: u32, blocks: usize) -> File {
         let mut file = File::new(self.uniforms.len(), self.slots.len() + scratch as usize, blocks);
         for (at, &kind) in self.uniforms.iter().enumerate() {
-            file.lanes[at] = Lanes([random.word(kind); LANES]);
+            file.lanes[at] = Lanes([kind.word(random); LANES]);
         }
         for block in 0..blocks {
             for slot in 0..self.inputs {
-                let words = [(); LANES].map(|()| random.word(self.slots[slot]));
+                let words = [(); LANES].map(|()| self.slots[slot].word(random));
                 *file.slot(block, slot as u32) = Lanes(words);
             }
         }
@@ -89,7 +90,7 @@ impl Ops {
     fn grow(&mut self, random: &mut Random) {
         let kind = random.pick(&[Kind::Real, Kind::Real, Kind::Real, Kind::Int, Kind::Mask]);
         if random.below(8) == 0 {
-            let word = random.word(kind);
+            let word = kind.word(random);
             self.add(Op::Constant(word), kind);
             return;
         }

@@ -2,6 +2,7 @@
 
 use phenomenon_compiler::ops::{Class, Op, OpId, OpSegment, interpret};
 use phenomenon_compiler::storage::{LANES, Lanes};
+use phenomenon_compiler::testing::random::Random;
 
 /// Numbers that break careless code.
 pub const REALS: &[f32] = &[
@@ -94,6 +95,17 @@ impl Kind {
             Kind::Mask => vec![0, u32::MAX],
         }
     }
+
+    /// A word of the kind: half of them hard, half arbitrary (numbers of moderate size).
+    pub fn word(self, random: &mut Random) -> u32 {
+        if self == Kind::Mask || random.chance(50) {
+            return random.pick(&self.words());
+        }
+        match self {
+            Kind::Real => ((random.below(2_000_001) as f32 - 1_000_000.0) / 8192.0).to_bits(),
+            _ => random.bits() as u32,
+        }
+    }
 }
 
 /// The kind of what `op` yields, given the kinds of its operands.
@@ -106,35 +118,6 @@ pub fn yields(op: Op, kind: impl Fn(OpId) -> Kind) -> Kind {
             let mut last = None;
             op.for_each_operand(|id| last = Some(id));
             kind(last.expect("whoever makes a fetch knows"))
-        }
-    }
-}
-
-/// A small generator (SplitMix64): the same numbers everywhere, from a seed that is printed.
-pub struct Random(pub u64);
-
-impl Random {
-    pub fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-    pub fn below(&mut self, end: usize) -> usize {
-        (self.next() % end as u64) as usize
-    }
-    pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
-        from[self.below(from.len())]
-    }
-    /// A word of the kind: half of them hard, half arbitrary (numbers of moderate size).
-    pub fn word(&mut self, kind: Kind) -> u32 {
-        let hard = kind.words();
-        if kind == Kind::Mask || self.below(2) == 0 {
-            return self.pick(&hard);
-        }
-        match kind {
-            Kind::Real => ((self.below(2_000_001) as f32 - 1_000_000.0) / 8192.0).to_bits(),
-            _ => self.next() as u32,
         }
     }
 }

@@ -2,14 +2,15 @@
 
 use phenomenon_compiler::ops::{Op, OpSegment, split};
 use phenomenon_compiler::storage::Source;
+use phenomenon_compiler::testing::random::Random;
 
 use crate::random::Case;
-use crate::samples::{File, Kind, Random};
+use crate::samples::{File, Kind};
 
 #[test]
 fn parts_do_what_the_whole_does() {
     for seed in 0..80 {
-        let mut random = Random(1000 + seed);
+        let mut random = Random::new(1000 + seed);
         let size = 30 + random.below(300);
         let case = Case::new(&mut random, size);
         let limit = 1 + random.below(50);
@@ -38,7 +39,7 @@ fn check_part(part: &OpSegment, limit: usize, slots: u32) {
 
 #[test]
 fn a_short_segment_stays_whole() {
-    let case = Case::new(&mut Random(5), 60);
+    let case = Case::new(&mut Random::new(5), 60);
     let cut = split::split(&case.segment, split::COMFORTABLE, 99);
     assert_eq!((cut.parts.as_slice(), cut.scratch), (&[case.segment][..], 0));
 }

@@ -2,9 +2,9 @@
 
 use phenomenon_compiler::ops::{Number, Op, OpSegment, dead, fold, legalise, split, verify};
 use phenomenon_compiler::storage::{FileShape, Source};
+use phenomenon_compiler::testing::random::Random;
 
 use crate::random::Case;
-use crate::samples::Random;
 
 fn good() -> OpSegment {
     OpSegment {
@@ -20,7 +20,7 @@ const SHAPE: FileShape = FileShape { uniforms: 2, slots: 4 };
 #[test]
 fn what_every_pass_makes_is_right() {
     for seed in 0..40 {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let case = Case::new(&mut random, 150);
         verify::whole(&case.segment).expect("it was made with care");
         let legal = legalise::legalise(&case.segment);

@@ -2,10 +2,11 @@
 
 use phenomenon_compiler::ops::{OpSegment, dead, fold, split};
 use phenomenon_compiler::storage::{LANES, Lanes, Source};
+use phenomenon_compiler::testing::random::Random;
 
 use crate::machine_code::makers;
 use crate::random::Case;
-use crate::samples::{File, Kind, Random};
+use crate::samples::{File, Kind};
 
 /// A random segment with one or two masks of who wants it: in slots behind its own, and a uniform one.
 fn guarded(random: &mut Random) -> (Case, Vec<u32>) {
@@ -81,7 +82,7 @@ fn assert_wanted_same(
 #[test]
 fn blocks_nobody_wants_are_left_alone_and_the_others_get_what_they_should() {
     for seed in 0..60 {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let (case, masks) = guarded(&mut random);
         let folded = dead::remove(&fold::fold(&case.segment));
         let cut = split::split(&folded, 25, case.slots.len() as u32);
