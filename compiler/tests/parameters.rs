@@ -142,3 +142,39 @@ fn a_choice_may_have_the_name_of_a_node() {
         assert_eq!(errors, ["write a whole number in 1 to 8"], "{octaves}");
     }
 }
+
+/// A number that no integer can hold is told of once, with the range that holds here; so is one of a nested phenomenon.
+#[test]
+fn a_number_past_all_integers_is_told_of_once() {
+    let library = NodeLibrary::standard();
+    let folder = tempfile::tempdir().unwrap();
+    let inner = r#"{ "phenomenon": "inner", "interface": {
+        "count": { "type": "integer", "default": 1, "min": 0, "max": 5 },
+        "any": { "type": "integer", "default": 1 } },
+        "nodes": { "s": { "type": "add", "inputs": { "a": { "interface": "count" }, "b": { "interface": "any" } } } },
+        "roots": { "material": { "node": "s" } } }"#;
+    std::fs::write(folder.path().join("inner.json"), inner).unwrap();
+    let told = |of: &str, input: &str, number: &str| -> Vec<String> {
+        let text = format!(
+            r#"{{ "phenomenon": "p", "nodes": {{ "n": {{ "type": {of}, "inputs": {{ "{input}": {number} }} }} }},
+                "roots": {{ "material": {{ "node": "n" }} }} }}"#
+        );
+        let name = folder.path().join("p.json").display().to_string();
+        let document = document::read(&name, text.as_bytes()).expect("it is JSON");
+        let checked = check_graph(&document, &library);
+        assert!(checked.graph.is_none(), "{input} {number}");
+        checked.findings.into_iter().map(|finding| finding.help).collect()
+    };
+    let (noise, inner) = ("\"perlin_noise\"", r#"{ "file": "inner.json" }"#);
+    for number in ["99999999999", "-2147483649", "1e30", "9", "0", "-0", "2147483647"] {
+        assert_eq!(told(noise, "octaves", number), ["give a number in 1 to 8"], "{number}");
+    }
+    for number in ["99999999999", "6", "-1"] {
+        assert_eq!(told(inner, "count", number), ["give a number in 0 to 5"], "{number}");
+    }
+    assert_eq!(told(inner, "any", "1e10"), ["give a number in -2147483648 to 2147483647"]);
+    for number in ["1.5", "9.5", "0.5"] {
+        assert_eq!(told(noise, "octaves", number).len(), 1, "{number}");
+    }
+    assert_eq!(told(noise, "octaves", "1e39").len(), 1);
+}

@@ -12,7 +12,7 @@ use super::limits::MAX_NODES;
 use super::literals::Room;
 use super::type_names::with_article;
 use super::types::{Types, overload};
-use super::{fixed_inputs, lists, literals, mismatch, references};
+use super::{fixed_inputs, lists, literals, mismatch, ranges, references};
 
 /// The nodes and the roots. Nodes of unknown type are left out: they made a finding, and then there
 /// is no graph. Nodes that lists of shaders take come after those of the file.
@@ -214,6 +214,13 @@ fn bind_node<'d>(
             if let Some(label) = reader.choice(value, &what(), &choices) {
                 bindings[at] = Binding::Literal(Literal::Integer(label));
             }
+            continue;
+        }
+        let is_literal = input.source.kind == SourceKind::Literal;
+        if is_literal
+            && ranges::is_enforced(draft, node_type, declared)
+            && ranges::is_huge(reader, value, declared, &what)
+        {
             continue;
         }
         if let Some(binding) = bind_source(reader, draft, types, &input.source, to, generic, &what)

@@ -4,9 +4,10 @@
 use std::ops::RangeInclusive;
 
 use crate::diagnostics::{Code, Finding, shortened, shown};
-use crate::document::{Reader, Value, ValueKind, numbers};
-use crate::nodes::{FINITE, Input};
-use crate::values::Literal;
+use crate::document::numbers::{self, Whole};
+use crate::document::{Reader, Value, ValueKind};
+use crate::nodes::{FINITE, Input, NodeType};
+use crate::values::{Literal, Type};
 
 use super::draft::{Draft, SourceKind};
 use super::intervals::{Intervals, Value as Known, described};
@@ -31,14 +32,8 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
             };
             match given.source.kind {
                 SourceKind::Literal => {
-                    // The ranges of a phenomenon's parameters are enforced, and of what is known
-                    // before shading; those of other inputs are not.
-                    let enforced = input.fixed || draft.nested.contains_key(&node_type);
-                    let code = match enforced {
-                        true => Code::NUMBER_OUT_OF_RANGE,
-                        false => Code::LITERAL_OUT_OF_RANGE,
-                    };
-                    literal(reader, given.source.value, input, code, &what);
+                    let enforced = is_enforced(draft, node_type, input);
+                    literal(reader, given.source.value, input, enforced, &what);
                 }
                 // Told of where it is bound.
                 SourceKind::Parameter(_) if input.fixed => {}
@@ -64,11 +59,41 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
     }
 }
 
+/// Whether an input takes nothing from outside its range: the ranges of a phenomenon's parameters are enforced, and of
+/// what is known before shading; those of other inputs are not.
+pub(super) fn is_enforced(draft: &Draft<'_>, node_type: NodeType, input: &Input) -> bool {
+    input.fixed || draft.nested.contains_key(&node_type)
+}
+
+/// Reports a number that no integer can hold, with the narrower range that is enforced; whether it is one. Others are
+/// told of by [`check`], or by whoever reads the literal.
+pub(super) fn is_huge(
+    reader: &mut Reader<'_>,
+    value: &Value,
+    input: &Input,
+    what: &dyn Fn() -> String,
+) -> bool {
+    let ValueKind::Number(text) = &value.kind else { return false };
+    let is_huge = input.value_type == Type::Integer
+        && input.range != FINITE
+        && matches!(numbers::whole(text), Whole::Number(number) if i32::try_from(number).is_err());
+    if is_huge {
+        outside(reader, value, text, input, true, what);
+    }
+    is_huge
+}
+
+/// Whether a number can be read as what the input takes; what cannot is told of where it is read.
+fn is_readable(text: &str, input: &Input) -> bool {
+    input.value_type != Type::Integer
+        || matches!(numbers::whole(text), Whole::Number(number) if i32::try_from(number).is_ok())
+}
+
 fn literal(
     reader: &mut Reader<'_>,
     value: &Value,
     input: &Input,
-    code: Code,
+    enforced: bool,
     what: &dyn Fn() -> String,
 ) {
     let elements = match &value.kind {
@@ -76,19 +101,32 @@ fn literal(
         ValueKind::Array(elements) if matches!(elements.len(), 3 | 4) => &elements[..3],
         _ => std::slice::from_ref(value),
     };
-    let outside = elements.iter().find(|element| match &element.kind {
-        ValueKind::Number(text) => {
+    let past = elements.iter().find(|element| match &element.kind {
+        ValueKind::Number(text) if is_readable(text, input) => {
             numbers::single(text).is_some_and(|x| !holds(&input.range, x.into()))
         }
         _ => false,
     });
-    if let Some(ValueKind::Number(number)) = outside.map(|element| &element.kind) {
-        let range = shown(&input.range);
-        let message = format!("{} is {}, outside {range}", what(), shortened(number));
-        let help =
-            format!("give a number in {range}; outside of it the result has no promised meaning");
-        reader.report(code, value, message, help);
+    if let Some(ValueKind::Number(number)) = past.map(|element| &element.kind) {
+        outside(reader, value, number, input, enforced, what);
     }
+}
+
+fn outside(
+    reader: &mut Reader<'_>,
+    value: &Value,
+    number: &str,
+    input: &Input,
+    enforced: bool,
+    what: &dyn Fn() -> String,
+) {
+    let range = shown(&input.range);
+    let message = format!("{} is {}, outside {range}", what(), shortened(number));
+    let (code, promise) = match enforced {
+        true => (Code::NUMBER_OUT_OF_RANGE, ""),
+        false => (Code::LITERAL_OUT_OF_RANGE, "; outside of it the result has no promised meaning"),
+    };
+    reader.report(code, value, message, format!("give a number in {range}{promise}"));
 }
 
 /// A parameter without a range of its own promises nothing, and is not told of.

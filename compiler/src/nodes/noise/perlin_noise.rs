@@ -5,8 +5,9 @@ use crate::state::Field;
 
 node! {
     /// Perlin's improved noise in three dimensions, summed over octaves: each has the position of the
-    /// one before times `lacunarity`, and counts `gain` times as much. It is smooth, 0 where all
-    /// coordinates are whole, and repeats every 256 units. Turbulence sums magnitudes.
+    /// one before times `lacunarity`, and counts `gain` times as much. It is smooth, and 0 where all
+    /// coordinates are whole. Where `lacunarity` is whole it repeats every 256 units, as far as no octave's
+    /// coordinates reach 2^31. Turbulence sums magnitudes.
     ///
     /// The gradient of a corner of the unit cube is chosen by the published permutation, and the eight
     /// are mixed by `t^3 (t (6 t - 15) + 10)`, whose first two derivatives vanish at the corners.
