@@ -38,8 +38,7 @@ pub struct EngineArguments {
     pub simd: SimdChoice,
 
     /// Most points shaded at once, for tests: the same bits
-    #[arg(long, value_name = "N", default_value = "256", value_parser = arguments::batch,
-          allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", default_value = "256", value_parser = arguments::batch)]
     pub batch: u32,
 }
 

@@ -16,7 +16,7 @@ mod uri;
 
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
     bench, check, compare, completions, eval, explain, fmt, lsp, man, nodes, render, schema, show,
@@ -54,14 +54,15 @@ enum Command {
     Show(show::Arguments),
 }
 
-/// Commands and flags, for what is derived from them: completions, manual pages and hints.
+/// Commands and flags, for the command line and what is derived from them: completions, manual pages and hints.
 fn grammar() -> clap::Command {
-    CommandLine::command()
+    arguments::with_dashed_numbers(CommandLine::command())
 }
 
 fn main() -> ExitCode {
     outlive_the_file_size_limit();
-    let command_line = match CommandLine::try_parse() {
+    let given = grammar().try_get_matches();
+    let command_line = match given.and_then(|given| CommandLine::from_arg_matches(&given)) {
         Ok(command_line) => command_line,
         Err(error) => {
             let given: Vec<String> =

@@ -3,8 +3,25 @@
 
 use std::ops::RangeInclusive;
 
+use clap::Command;
 use phenomenon_compiler::document::numbers::{self, Whole};
 use phenomenon_runtime::render::SAMPLE_LIMIT;
+
+/// What flags call the numbers they take.
+const PLACEHOLDERS: [&str; 5] = ["N", "FACTOR", "RMS", "WxH", "X,Y,W,H"];
+
+/// The command, where every flag that takes numbers takes what begins with a dash: `-1` is then refused as the number
+/// it is, with the range and the remedy of the flag, and not as a flag nobody knows.
+pub fn with_dashed_numbers(command: Command) -> Command {
+    let command = command.mut_args(|flag| {
+        let placeholders = flag.get_value_names().unwrap_or_default();
+        match placeholders.iter().any(|name| PLACEHOLDERS.contains(&name.as_str())) {
+            true => flag.allow_hyphen_values(true),
+            false => flag,
+        }
+    });
+    command.mut_subcommands(with_dashed_numbers)
+}
 
 /// A whole number in a range; `what` stands in the message: "a number of threads".
 pub(super) fn count<T>(text: &str, range: RangeInclusive<T>, what: &str) -> Result<T, String>

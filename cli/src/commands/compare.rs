@@ -25,8 +25,7 @@ pub struct Arguments {
     b: PathBuf,
 
     /// Largest root mean square allowed, of sRGB-encoded values; 0 allows only the same bits
-    #[arg(long, value_name = "RMS", value_parser = arguments::tolerance,
-          allow_hyphen_values = true)]
+    #[arg(long, value_name = "RMS", value_parser = arguments::tolerance)]
     tolerance: Option<f64>,
 
     /// Write a picture of the differences

@@ -265,3 +265,31 @@ fn a_field_of_the_state_says_how_many_numbers_it_needs() {
         refused(&["eval", &graph, "--state", state], &["--state", part]);
     }
 }
+
+/// Every flag that takes numbers: the command it belongs to, and what its remedy says.
+const FLAGS: [(&[&str], &str, &str); 13] = [
+    (&["render", "g.json"], "--spp", "from 1 to 1048576"),
+    (&["render", "g.json"], "--threads", "from 1 to 1024"),
+    (&["render", "g.json"], "--batch", "from 1 to 65536"),
+    (&["render", "g.json"], "--seed", "from 0 to 18446744073709551615"),
+    (&["render", "g.json"], "--exposure", "above 0"),
+    (&["render", "g.json"], "--size", "each 1 to 65536"),
+    (&["render", "g.json"], "--region", "X,Y,WIDTH,HEIGHT"),
+    (&["eval", "g.json"], "--batch", "from 1 to 65536"),
+    (&["compare", "a.png", "b.png"], "--tolerance", "0 or more"),
+    (&["bench", "render", "g.json"], "--runs", "from 1 to 100"),
+    (&["bench", "render", "g.json"], "--spp", "from 1 to 1048576"),
+    (&["bench", "render", "g.json"], "--threads", "from 1 to 1024"),
+    (&["bench", "shade"], "--runs", "from 1 to 100"),
+];
+
+/// Whatever it is given, it says itself what would do; nothing is taken for a flag that nobody knows.
+#[test]
+fn every_flag_refuses_what_is_no_number_of_its_range() {
+    for (command, flag, remedy) in FLAGS {
+        for text in ["-1", "-1.5", "-inf", "-", "1e400", "NaN", "inf", "", "many", "0x10", "+1"] {
+            refused(&[command, &[flag, text]].concat(), &[flag, remedy]);
+        }
+        refused(&[command, &[&format!("{flag}=-1")]].concat(), &[flag, remedy]);
+    }
+}

@@ -27,15 +27,15 @@ pub struct Arguments {
     file: PathBuf,
 
     /// Width and height in pixels; otherwise as the scene says
-    #[arg(long, value_name = "WxH", value_parser = arguments::size, allow_hyphen_values = true)]
+    #[arg(long, value_name = "WxH", value_parser = arguments::size)]
     size: Option<Size>,
 
     /// Samples of every pixel; otherwise as the scene says
-    #[arg(long, value_name = "N", value_parser = arguments::samples, allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = arguments::samples)]
     spp: Option<u32>,
 
     /// Threads; otherwise as many as the machine has
-    #[arg(long, value_name = "N", value_parser = arguments::threads, allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = arguments::threads)]
     threads: Option<usize>,
 
     /// Runs of each engine; the median is printed

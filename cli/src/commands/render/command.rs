@@ -36,23 +36,23 @@ pub struct Arguments {
     scene: Option<PathBuf>,
 
     /// Width and height in pixels; otherwise as the scene says
-    #[arg(long, value_name = "WxH", value_parser = arguments::size, allow_hyphen_values = true)]
+    #[arg(long, value_name = "WxH", value_parser = arguments::size)]
     size: Option<Size>,
 
     /// Render this part alone: the same pixels, in a file of its size
-    #[arg(long, value_name = "X,Y,W,H", value_parser = arguments::region, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,W,H", value_parser = arguments::region)]
     region: Option<Region>,
 
     /// Samples of every pixel; otherwise as the scene says
-    #[arg(long, value_name = "N", value_parser = arguments::samples, allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = arguments::samples)]
     spp: Option<u32>,
 
     /// Threads; otherwise as many as the machine has
-    #[arg(long, value_name = "N", value_parser = arguments::threads, allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = arguments::threads)]
     threads: Option<usize>,
 
     /// Seed of all random numbers; otherwise as the scene says
-    #[arg(long, value_name = "N", value_parser = arguments::seed, allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = arguments::seed)]
     seed: Option<u64>,
 
     /// Give a parameter another value; in a scene OBJECT:NAME=VALUE; may be repeated
@@ -71,8 +71,7 @@ pub struct Arguments {
     output: Option<PathBuf>,
 
     /// Multiply the colours of a PNG by this
-    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = arguments::exposure,
-          allow_hyphen_values = true)]
+    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = arguments::exposure)]
     exposure: f32,
 
     /// Write counts of rays and points, and times, as JSON
