@@ -1,9 +1,11 @@
 //! Every limit, met: what is just past it is refused by name. `docs/limits.md` is this list.
 //!
-//! `PHENOMENON_BLESS=1 cargo test -p phenomenon-tests --test limits` writes it anew.
+//! `PHENOMENON_BLESS=1 cargo test --workspace --test limits` writes it anew.
 
 #[path = "limits/pictures.rs"]
 mod pictures;
+#[path = "limits/reports.rs"]
+mod reports;
 
 use std::fmt::Write;
 use std::fs::File;
@@ -11,10 +13,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use phenomenon_compiler::check::{
-    Checked, MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_PARTS, MAX_SHADERS,
-    check_graph, read_graph_file,
+    Checked, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_PARTS, MAX_SHADERS, check_graph,
+    read_graph_file,
 };
-use phenomenon_compiler::diagnostics::{KEPT_FINDINGS, SHOWN_FINDINGS, grouped};
+use phenomenon_compiler::diagnostics::grouped;
 use phenomenon_compiler::document::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES, read};
 use phenomenon_compiler::engine::{Engine, Options, Shader};
 use phenomenon_compiler::graph::Graph;
@@ -45,7 +47,7 @@ const fn limit(
     Limit { what, most, said, past }
 }
 
-const GRAPHS: [Limit; 14] = [
+const GRAPHS: [Limit; 11] = [
     limit("bytes of a graph or a scene", MAX_FILE_BYTES as u64, "`file-too-large`", huge_file),
     limit("values in a file", MAX_VALUES as u64, "`file-too-large`", many_values),
     limit("nesting of lists and objects", MAX_DEPTH as u64, "`too-deep`", deep_nesting),
@@ -69,9 +71,6 @@ const GRAPHS: [Limit; 14] = [
         many_shaders,
     ),
     limit("files within one another", MAX_FILE_DEPTH as u64, "`recursion`", deep_files),
-    limit("findings kept for a file", KEPT_FINDINGS as u64, "a number", many_findings),
-    limit("findings in a report of `check`", SHOWN_FINDINGS as u64, "a number", shown_findings),
-    limit("nodes named of a cycle", MAX_CYCLE_SHOWN as u64, "the number of nodes", long_cycle),
     limit(
         "evaluations of one root, copies in nested scopes included",
         MAX_INSTANCES as u64,
@@ -122,7 +121,9 @@ const FAR_AWAY: u64 = 1_000_000_000_000;
 
 #[test]
 fn what_is_past_a_limit_is_refused() {
-    for (at, limit) in GRAPHS.iter().chain(&SCENES).chain(&pictures::LIMITS).enumerate() {
+    for (at, limit) in
+        GRAPHS.iter().chain(&SCENES).chain(&pictures::LIMITS).chain(&reports::LIMITS).enumerate()
+    {
         let folder = tempfile::tempdir().unwrap();
         let said = (limit.past)(folder.path());
         assert_eq!(said, limit.said, "{at}: {}", limit.what);
@@ -140,6 +141,7 @@ fn the_page_of_limits_is_in_sync() {
         ("Graphs", &GRAPHS[..]),
         ("Scenes", &SCENES[..]),
         ("Pictures that are read", &pictures::LIMITS[..]),
+        ("What is told of a file", &reports::LIMITS[..]),
     ];
     for (title, limits) in sections {
         write!(page, "\n## {title}\n\n| what | most | past it |\n| --- | ---: | --- |\n").unwrap();
@@ -274,46 +276,6 @@ fn deep_files(folder: &Path) -> String {
     let library = NodeLibrary::standard();
     assert!(read_graph_file(&folder.join("1.json"), &library).graph.is_some());
     code(&read_graph_file(&folder.join("0.json"), &library))
-}
-
-/// A file with that many mistakes.
-fn mistakes(count: usize) -> Checked {
-    let inputs: Vec<String> = (0..count).map(|at| format!(r#""input_{at}":0"#)).collect();
-    let node = format!(r#""n":{{"type":"mix","inputs":{{{}}}}}"#, inputs.join(","));
-    check(&phenomenon(&node, r#"{"node":"n"}"#))
-}
-
-fn many_findings(_: &Path) -> String {
-    let checked = mistakes(KEPT_FINDINGS);
-    assert_eq!((checked.findings.len(), checked.omitted), (KEPT_FINDINGS, 0));
-    let checked = mistakes(KEPT_FINDINGS + 7);
-    assert_eq!((checked.findings.len(), checked.omitted), (KEPT_FINDINGS, 7));
-    "a number".to_owned()
-}
-
-/// `cli/tests/check.rs` counts what is shown; here only that there can be more of them.
-fn shown_findings(_: &Path) -> String {
-    assert!(mistakes(SHOWN_FINDINGS + 1).findings.len() > SHOWN_FINDINGS);
-    "a number".to_owned()
-}
-
-fn long_cycle(_: &Path) -> String {
-    let with = |length: usize| {
-        let node = |at: usize| {
-            let next = (at + 1) % length;
-            format!(r#""n{at}":{{"type":"add","inputs":{{"a":{{"node":"n{next}"}}}}}}"#)
-        };
-        let nodes: Vec<String> = (0..length).map(node).collect();
-        let checked = check(&phenomenon(&nodes.join(","), r#"{"node":"n0"}"#));
-        assert_eq!(code(&checked), "`cycle`");
-        // The first node is named again at the end.
-        (checked.findings[0].message.matches("`n").count() - 1, checked.findings[0].message.clone())
-    };
-    assert_eq!(with(MAX_CYCLE_SHOWN).0, MAX_CYCLE_SHOWN);
-    let (named, message) = with(MAX_CYCLE_SHOWN + 1);
-    assert_eq!(named, MAX_CYCLE_SHOWN);
-    assert!(message.starts_with(&format!("{} nodes", MAX_CYCLE_SHOWN + 1)), "{message}");
-    "the number of nodes".to_owned()
 }
 
 /// What compiling a graph says.

@@ -12,6 +12,9 @@ pub const MAX_PARTS: usize = 65_536;
 /// Most shaders in the list of a root.
 pub const MAX_SHADERS: usize = 64;
 
+/// Most names of parameters a graph has not that are compared with those it has: beyond, it is no slip.
+pub const MAX_ADVISED: usize = 64;
+
 /// Most files within one another.
 pub const MAX_FILE_DEPTH: usize = 32;
 

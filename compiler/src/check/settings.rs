@@ -11,6 +11,7 @@ use crate::values::{Literal, Type};
 
 use super::compounds::unknown_member;
 use super::files::{Files, OnDisk};
+use super::limits::MAX_ADVISED;
 use super::literals::{self, Room};
 use super::shape::{element_name, member_name, struct_literal};
 use super::textures;
@@ -92,7 +93,7 @@ pub fn bind_settings(
             }
             None => {
                 strangers += 1;
-                reader.findings.push(unknown(graph, &parts, setting, strangers <= ADVISED));
+                reader.findings.push(unknown(graph, &parts, setting, strangers <= MAX_ADVISED));
             }
         }
         let mut names = values[before..].iter().map(|(name, _)| name);
@@ -147,9 +148,6 @@ pub fn bind_text(
         None => Ok(values),
     }
 }
-
-/// Most names no parameter has that are compared with all there are: beyond, it is no slip.
-const ADVISED: usize = 64;
 
 fn unknown(graph: &Graph, parts: &Parts<'_>, setting: &Setting, is_advised: bool) -> Finding {
     let name = &setting.name;

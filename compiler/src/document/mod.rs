@@ -20,6 +20,7 @@ pub use format::FORMAT;
 pub(crate) use format::is_newer_format;
 pub(crate) use open::irregular;
 pub use open::{open_file, opened_files};
+pub use mistakes::{MAX_BRACKETS, MAX_MISTAKES};
 pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES};
 pub use read::{all_mistakes, read, read_file, read_from};
 pub use reader::{Object, Reader};

@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use phenomenon_compiler::check::{Checked, Files, check_graph_with};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity, TellOnce};
@@ -9,6 +10,7 @@ use phenomenon_compiler::document::{Document, all_mistakes};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
 
+use super::texture_sum::TextureSum;
 use super::uncompilable::uncompilable;
 use crate::scene_file::{
     Assets, MaterialRef, MaterialSource, SceneFile, check_scene_with, is_scene, missing_root,
@@ -26,8 +28,14 @@ pub fn check_with_graphs(
     assets: &Assets,
 ) -> Checked {
     let scene = check_scene_with(document, folder, assets);
-    let mut graphs =
-        Graphs { library, files, known: HashMap::new(), compiled: HashSet::new(), omitted: 0 };
+    let mut graphs = Graphs {
+        library,
+        files,
+        known: HashMap::new(),
+        compiled: HashSet::new(),
+        textures: TextureSum::new(assets),
+        omitted: 0,
+    };
     let mut findings = scene.findings.clone();
     findings.extend(graphs.check(&scene));
     let is_own = |finding: &Finding| finding.place.file.name == document.file.name;
@@ -45,9 +53,10 @@ struct Graphs<'a> {
     library: &'a NodeLibrary,
     files: &'a dyn Files,
     /// By the one path of the file; none where it cannot be used.
-    known: HashMap<PathBuf, Option<(Graph, Document)>>,
+    known: HashMap<PathBuf, Option<(Arc<Graph>, Document)>>,
     /// Graphs with the values they were tried with.
     compiled: HashSet<(PathBuf, String)>,
+    textures: TextureSum<'a>,
     omitted: usize,
 }
 
@@ -76,6 +85,7 @@ impl Graphs<'_> {
             if fits && self.compiled.insert((identity, format!("{values:?}"))) {
                 let found = uncompilable(graph, &values, document);
                 findings.extend(found.into_iter().map(|it| used_here(it, &used.material)));
+                findings.extend(self.textures.add(graph, &values, &used.material));
             }
         }
         findings
@@ -86,7 +96,7 @@ impl Graphs<'_> {
         path: &Path,
         material: &MaterialRef,
         findings: &mut Vec<Finding>,
-    ) -> Option<(Graph, Document)> {
+    ) -> Option<(Arc<Graph>, Document)> {
         let document = match self.files.read(path) {
             Ok(document) if is_scene(&document) => {
                 let message = format!("`{}` is a scene, not a graph", path.display());
@@ -113,7 +123,7 @@ impl Graphs<'_> {
         let checked = check_graph_with(&document, self.library, self.files);
         self.omitted += checked.omitted;
         findings.extend(checked.findings.into_iter().map(|finding| used_here(finding, material)));
-        checked.graph.map(|graph| (graph, document))
+        checked.graph.map(|graph| (Arc::new(graph), document))
     }
 }
 

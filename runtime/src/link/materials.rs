@@ -177,7 +177,7 @@ impl Materials<'_> {
             MaterialSource::File(path) => self.graphs.get(path).map(|it| (&it.0, &it.1)),
         };
         let Some((graph, document)) = known else { return error };
-        let findings = uncompilable(graph, values, document);
+        let findings = uncompilable(&Arc::new(graph.clone()), values, document);
         if findings.is_empty() {
             return error;
         }

@@ -8,6 +8,7 @@ mod materials;
 mod node_path;
 mod notes;
 mod shown;
+mod texture_sum;
 mod uncompilable;
 mod values;
 

@@ -11,24 +11,24 @@ use phenomenon_compiler::values::Literal;
 
 /// Why a graph cannot be compiled with these values, as findings in its file.
 pub fn uncompilable(
-    graph: &Graph,
+    graph: &Arc<Graph>,
     values: &[(String, Literal)],
     document: &Document,
 ) -> Vec<Finding> {
-    let compiled = |graph: Graph| {
+    let compiled = |graph: Arc<Graph>| {
         // Every engine starts from what the walk runs.
         let kinds: &'static [RootKind] = &RootKind::ALL;
         let options = Options { engine: Engine::Walk, roots: kinds, ..Options::default() };
-        Shader::new(Arc::new(graph), values, options)
+        Shader::new(graph, values, options)
     };
-    if compiled(graph.clone()).is_ok() {
+    if compiled(Arc::clone(graph)).is_ok() {
         return Vec::new();
     }
     let mut findings: Vec<Finding> = Vec::new();
     for root in &graph.roots {
-        let mut alone = graph.clone();
+        let mut alone = Graph::clone(graph);
         alone.roots.retain(|other| other.kind == root.kind);
-        let Err(ShaderError::Specialise(error)) = compiled(alone) else { continue };
+        let Err(ShaderError::Specialise(error)) = compiled(Arc::new(alone)) else { continue };
         let finding = finding(&error, root.kind, document);
         // Two roots that share what grows too large have one mistake.
         if findings.iter().all(|known| known.place != finding.place) {

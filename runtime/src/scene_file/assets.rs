@@ -29,6 +29,8 @@ pub struct Assets {
 struct Known {
     /// Whether a picture can be used, and if not, why.
     pictures: Remembered<PathBuf, Result<(), Unusable>>,
+    /// How many pixels a picture has; none where its header cannot be read.
+    sizes: Remembered<PathBuf, Option<u64>>,
     /// The box round a mesh, or why it cannot be used.
     meshes: Remembered<(PathBuf, Normals), Result<ReadMesh, MeshRefusal>>,
 }
@@ -75,6 +77,7 @@ impl Assets {
         if let Some(known) = &self.known {
             let path = reached(path);
             known.pictures.borrow_mut().remove(&path);
+            known.sizes.borrow_mut().remove(&path);
             known.meshes.borrow_mut().retain(|(known, _), _| *known != path);
         }
     }
@@ -82,6 +85,16 @@ impl Assets {
     /// Why a picture cannot be used; none where it can.
     pub fn unusable_picture(&self, path: &Path) -> Option<Unusable> {
         self.picture(path).err()
+    }
+
+    /// How many pixels a picture has; none where its header cannot be read. Nothing but the header is.
+    pub fn pixels(&self, path: &Path) -> Option<u64> {
+        let read = || {
+            let header = film::read_header(path).ok()?;
+            Some(u64::from(header.width) * u64::from(header.height))
+        };
+        let (Some(known), Some(stamp)) = (&self.known, Stamp::of(path)) else { return read() };
+        remembered(&known.sizes, reached(path), stamp, read)
     }
 
     /// A picture; a black one of one pixel where only its outcome is remembered.

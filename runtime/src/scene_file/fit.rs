@@ -65,7 +65,7 @@ pub fn unknown_lights(
         })
         .collect();
     for (parameter, literal) in values {
-        if findings.len() >= MOST_UNKNOWN {
+        if findings.len() >= MAX_UNKNOWN_LIGHTS {
             break;
         }
         let set = material.set.iter().find(|set| gives(set, parameter));
@@ -77,8 +77,8 @@ pub fn unknown_lights(
     findings
 }
 
-/// Most names that are told of one graph: beyond, it was made for another scene.
-const MOST_UNKNOWN: usize = 64;
+/// Most lights a scene has not that are told of one graph: beyond, it was made for another scene.
+pub const MAX_UNKNOWN_LIGHTS: usize = 64;
 
 /// Names among `literals` that are no light's, each once, the first ones.
 fn unknown<'g>(
@@ -93,7 +93,7 @@ fn unknown<'g>(
             _ => continue,
         };
         for name in names {
-            if unknown.len() == MOST_UNKNOWN {
+            if unknown.len() == MAX_UNKNOWN_LIGHTS {
                 return unknown;
             }
             if !lights.names.contains(name) && !unknown.contains(&name) {

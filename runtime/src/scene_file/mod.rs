@@ -23,6 +23,6 @@ pub use embedded::{default_scene, embedded_file};
 pub use file::{
     LightNames, SceneFile, check_scene, check_scene_with, is_scene, read_scene, read_scene_file,
 };
-pub use fit::{missing_root, settings, unknown_lights};
+pub use fit::{MAX_UNKNOWN_LIGHTS, missing_root, settings, unknown_lights};
 pub use keys::{COORDINATES, LENGTHS, LIGHT, SCENE};
 pub use schema::file_schema;

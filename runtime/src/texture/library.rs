@@ -49,29 +49,44 @@ pub fn unusable(path: &Path) -> Option<TextureError> {
     Textures::default().open(&Texture { file, space }).err()
 }
 
-/// Textures by number.
+/// How many pixels textures have together.
 #[derive(Debug)]
-pub struct Textures {
-    numbers: BTreeMap<Texture, TextureId>,
-    pictures: Vec<Picture>,
-    /// Of all pictures.
+pub struct PixelSum {
     pixels: u64,
     limit: u64,
 }
 
-impl Default for Textures {
+impl Default for PixelSum {
     /// None yet, and [`TEXTURE_PIXEL_LIMIT`].
     fn default() -> Self {
-        Self::limited_to(TEXTURE_PIXEL_LIMIT)
+        Self { pixels: 0, limit: TEXTURE_PIXEL_LIMIT }
     }
 }
 
-impl Textures {
-    /// None yet; all that are opened have at most so many pixels.
-    pub fn limited_to(pixels: u64) -> Self {
-        Self { numbers: BTreeMap::new(), pictures: Vec::new(), pixels: 0, limit: pixels }
+impl PixelSum {
+    /// Adds those of a file.
+    ///
+    /// # Errors
+    /// They are too many with those before.
+    pub fn add(&mut self, file: &str, pixels: u64) -> Result<(), TextureError> {
+        let (pixels, limit) = (self.pixels.saturating_add(pixels), self.limit);
+        if pixels > limit {
+            return Err(TextureError::TooManyPixels { file: file.to_owned(), pixels, limit });
+        }
+        self.pixels = pixels;
+        Ok(())
     }
+}
 
+/// Textures by number.
+#[derive(Debug, Default)]
+pub struct Textures {
+    numbers: BTreeMap<Texture, TextureId>,
+    pictures: Vec<Picture>,
+    sum: PixelSum,
+}
+
+impl Textures {
     /// Opens a texture, unless it is open already.
     ///
     /// # Errors
@@ -82,11 +97,7 @@ impl Textures {
         }
         let path = Path::new(&texture.file);
         let header = film::read_header(path)?;
-        let pixels = self.pixels + u64::from(header.width) * u64::from(header.height);
-        if pixels > self.limit {
-            let (file, limit) = (texture.file.clone(), self.limit);
-            return Err(TextureError::TooManyPixels { file, pixels, limit });
-        }
+        self.sum.add(&texture.file, u64::from(header.width) * u64::from(header.height))?;
         let film = film::read_as(path, Some(texture.space))?;
         let width = film.width() as usize;
         let bad = film.pixels().iter().position(|pixel| !pixel.iter().all(|x| x.is_finite()));
@@ -96,7 +107,6 @@ impl Textures {
         }
         self.numbers.insert(texture.clone(), TextureId(self.pictures.len() as u32));
         self.pictures.push(Picture::new(film));
-        self.pixels = pixels;
         Ok(())
     }
 
@@ -154,6 +164,11 @@ mod tests {
         assert!(textures.picture(textures.number(&other)).is_none());
     }
 
+    /// None yet; all that are opened have at most so many pixels.
+    fn limited_to(limit: u64) -> Textures {
+        Textures { sum: PixelSum { pixels: 0, limit }, ..Textures::default() }
+    }
+
     #[test]
     fn all_textures_together_have_a_limit() {
         let folder = tempfile::tempdir().unwrap();
@@ -163,14 +178,14 @@ mod tests {
             Texture { file: path.display().to_string(), space: Space::Srgb }
         };
         let (first, second) = (texture("first.png", 3), texture("second.png", 1));
-        let mut textures = Textures::limited_to(7);
+        let mut textures = limited_to(7);
         textures.open(&first).unwrap();
         // What is open already is not counted again.
         textures.open(&first).unwrap();
         let error = textures.open(&second).unwrap_err().to_string();
         assert!(error.contains("second.png: with it all textures have 8 pixels"), "{error}");
         assert!(textures.picture(textures.number(&second)).is_none());
-        let mut textures = Textures::limited_to(8);
+        let mut textures = limited_to(8);
         textures.open(&second).unwrap();
         textures.open(&first).unwrap();
     }

@@ -5,5 +5,5 @@ mod library;
 mod picture;
 
 pub use decoded::DecodedPictures;
-pub use library::{TEXTURE_PIXEL_LIMIT, TextureError, Textures, unusable};
+pub use library::{PixelSum, TEXTURE_PIXEL_LIMIT, TextureError, Textures, unusable};
 pub use picture::Picture;

@@ -3,13 +3,17 @@
 use std::fs::File;
 use std::path::Path;
 
-use phenomenon_compiler::values::{Space, Texture};
+use phenomenon_compiler::check::OnDisk;
+use phenomenon_compiler::diagnostics::Finding;
+use phenomenon_compiler::document;
+use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::film::{
     CHANNEL_LIMIT, CHUNK_BYTES_LIMIT, CHUNK_LIMIT, DECODER_BYTES_LIMIT, FILE_BYTES_LIMIT, Film,
     HEADER_BYTES_LIMIT, PART_LIMIT, PIXEL_LIMIT, SIDE_LIMIT, read, read_header, write,
 };
-use phenomenon_runtime::scene_file::read_scene;
-use phenomenon_runtime::texture::{TEXTURE_PIXEL_LIMIT, Textures};
+use phenomenon_runtime::link::check_with_graphs;
+use phenomenon_runtime::scene_file::{Assets, read_scene};
+use phenomenon_runtime::texture::TEXTURE_PIXEL_LIMIT;
 
 use super::{CAMERA, Limit, limit, sparse};
 
@@ -36,7 +40,7 @@ pub const LIMITS: [Limit; 10] = [
     limit(
         "pixels of all textures of a scene together",
         TEXTURE_PIXEL_LIMIT,
-        "an error when rendered",
+        "`unusable-file`",
         many_texture_pixels,
     ),
 ];
@@ -153,18 +157,42 @@ fn large_chunk(folder: &Path) -> String {
     picture(folder, "a.exr", &with(tile), &with(tile + 1))
 }
 
-/// With a smaller limit: the true one takes 4 GiB to go past.
+/// What is said of a scene whose environment reads that many pictures of the largest size there is; of each there is no
+/// more than its header.
+fn textures(folder: &Path, count: u64) -> Vec<Finding> {
+    let side = PIXEL_LIMIT.isqrt();
+    let (mut nodes, mut sum) = (Vec::new(), Vec::new());
+    for at in 0..count {
+        let header = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {side} +X {side}\n");
+        std::fs::write(folder.join(format!("{at}.hdr")), header).unwrap();
+        let texture = format!(r#"{{"texture":"{at}.hdr"}}"#);
+        nodes.push(format!(
+            r#""t{at}":{{"type":"texture_lookup","inputs":{{"texture":{texture}}}}}"#
+        ));
+        sum.push(format!(r#"{{"node":"t{at}"}}"#));
+    }
+    let nodes = format!(
+        r#"{},"s":{{"type":"sum","inputs":{{"values":[{}]}}}}"#,
+        nodes.join(","),
+        sum.join(",")
+    );
+    let graph = format!(
+        r#"{{"phenomenon":"p","nodes":{{{nodes}}},"roots":{{"environment":{{"node":"s"}}}}}}"#
+    );
+    std::fs::write(folder.join("graph.json"), graph).unwrap();
+    let text =
+        format!(r#"{{"scene":"s",{CAMERA},"objects":[],"environment":{{"file":"graph.json"}}}}"#);
+    let document = document::read("scene.json", text.as_bytes()).unwrap();
+    let library = NodeLibrary::standard();
+    check_with_graphs(&document, folder, &library, &OnDisk, &Assets::default()).findings
+}
+
 fn many_texture_pixels(folder: &Path) -> String {
-    let mut textures = Textures::limited_to(5);
-    let mut open = |name: &str, width: u32| {
-        let path = folder.join(name);
-        write(&Film::new(width, 1).unwrap(), &path, 1.0).unwrap();
-        let file = path.display().to_string();
-        textures.open(&Texture { file, space: Space::Srgb })
-    };
-    open("a.png", 3).unwrap();
-    open("b.png", 2).unwrap();
-    let error = open("c.png", 1).unwrap_err().to_string();
-    assert!(error.contains("6 pixels") && error.contains("c.png"), "{error}");
-    "an error when rendered".to_owned()
+    let most = TEXTURE_PIXEL_LIMIT / PIXEL_LIMIT;
+    assert!(textures(folder, most).is_empty());
+    let [finding] = &*textures(folder, most + 1) else { panic!("one finding") };
+    let said = format!("with it all textures have {} pixels", TEXTURE_PIXEL_LIMIT + PIXEL_LIMIT);
+    assert!(finding.message.contains(&said), "{finding}");
+    assert_eq!(finding.place.text(), "\"graph.json\"");
+    format!("`{}`", finding.code)
 }

@@ -1,6 +1,7 @@
 //! The arguments of the command, and what it does.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use phenomenon_compiler::check::{Checked, Files, OnDisk, check_graph_with};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity, TellOnce};
@@ -170,8 +171,9 @@ fn check_read(
         }
         Ok(document) => {
             let mut checked = check_graph_with(&document, library, files);
-            if let Some(graph) = &checked.graph {
-                checked.findings.extend(uncompilable(graph, &[], &document));
+            if let Some(graph) = checked.graph.take() {
+                let graph = Arc::new(graph);
+                checked.findings.extend(uncompilable(&graph, &[], &document));
             }
             Some(checked)
         }

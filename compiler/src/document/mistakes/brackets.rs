@@ -12,8 +12,9 @@ const DEEPEST: usize = 128;
 /// Most brackets too many that are looked for beside as many that are missing.
 const MOST_PAIRS: usize = 4;
 
-/// Most brackets that are matched: what is kept of each is some dozens of bytes.
-const MOST_BRACKETS: usize = 1 << 20;
+/// Most brackets of a file that are matched to tell which is missing or too many: what is kept of each is some dozens of
+/// bytes.
+pub const MAX_BRACKETS: usize = 1 << 20;
 
 /// Finds how the brackets of a text are to be read.
 pub(super) fn corrections(text: &str) -> Corrections {
@@ -27,7 +28,7 @@ pub(super) fn corrections(text: &str) -> Corrections {
         }
         deepest = deepest.max(opened.saturating_sub(closed));
     }
-    if lexer.is_full() || deepest > DEEPEST || opened + closed > MOST_BRACKETS {
+    if lexer.is_full() || deepest > DEEPEST || opened + closed > MAX_BRACKETS {
         return Corrections { given_up: true, ..Corrections::default() };
     }
     let missing = opened.saturating_sub(closed);

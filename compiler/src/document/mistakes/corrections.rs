@@ -1,6 +1,6 @@
 //! How brackets that do not come out even are to be read.
 
-use super::mistake::{MOST, Mistake};
+use super::mistake::{MAX_MISTAKES, Mistake};
 
 /// How brackets are to be read so that they come out even.
 #[derive(Debug, Default)]
@@ -18,7 +18,7 @@ pub(super) struct Corrections {
 impl Corrections {
     /// Keeps a mistake, as far as it will be told.
     pub fn tell(&mut self, mistake: Mistake) {
-        if self.mistakes.len() < MOST {
+        if self.mistakes.len() < MAX_MISTAKES {
             self.mistakes.push(mistake);
         }
     }

@@ -1,6 +1,6 @@
 //! Where reading of tokens stands, and what was noted on the way.
 
-use super::mistake::{MOST, Mistake};
+use super::mistake::{MAX_MISTAKES, Mistake};
 
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,7 +60,7 @@ impl<'t> Lexer<'t> {
 
     /// Whether there are so many mistakes that no more are looked for.
     pub fn is_full(&self) -> bool {
-        self.told >= MOST
+        self.told >= MAX_MISTAKES
     }
 
     pub fn tell(&mut self, mistake: Mistake) {

@@ -1,7 +1,7 @@
 //! A mistake, before it is a finding.
 
-/// Most mistakes that are told of one file.
-pub(super) const MOST: usize = 1_000;
+/// Most mistakes of JSON that are told of one file.
+pub const MAX_MISTAKES: usize = 1_000;
 
 /// A mistake by bytes of the text.
 #[derive(Clone, Debug)]

@@ -21,4 +21,6 @@ mod strings;
 mod tokens;
 mod words;
 
+pub use brackets::MAX_BRACKETS;
+pub use mistake::MAX_MISTAKES;
 pub(super) use scan::all;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::diagnostics::{Code, Finding, Place, SourceFile};
 
-use super::mistake::{MOST, Mistake};
+use super::mistake::{MAX_MISTAKES, Mistake};
 use super::{brackets, grammar};
 
 /// What is wrong in a text that is no JSON, in file order; none where nothing was recognised.
@@ -14,7 +14,7 @@ pub(in crate::document) fn all(file: &Arc<SourceFile>) -> Vec<Finding> {
     let mut mistakes = grammar::mistakes(text, &corrections);
     mistakes.extend(corrections.mistakes);
     mistakes.sort_by_key(|mistake| mistake.start);
-    mistakes.truncate(MOST);
+    mistakes.truncate(MAX_MISTAKES);
     mistakes.into_iter().map(|mistake| finding(file, mistake)).collect()
 }
 

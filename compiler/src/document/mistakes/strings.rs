@@ -4,7 +4,7 @@ use crate::diagnostics::shortened;
 
 use super::characters::{ends_a_value, follows, is_typographic, line_end};
 use super::lexer::{Kind, Lexer, Token};
-use super::mistake::{MOST, Mistake};
+use super::mistake::{MAX_MISTAKES, Mistake};
 use super::quotes::json;
 
 /// How far the end of a string is looked for beyond where it should be.
@@ -26,8 +26,8 @@ impl Lexer<'_> {
                 Some(_) => self.at += 1,
             }
             // A string of mistakes is told like a file of them.
-            if within.len() > MOST {
-                within.truncate(MOST);
+            if within.len() > MAX_MISTAKES {
+                within.truncate(MAX_MISTAKES);
             }
         };
         let content = &self.text[start + 1..end - 1];
