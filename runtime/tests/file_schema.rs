@@ -1,13 +1,13 @@
-//! The schema that is checked in is the one the list of nodes makes, and the reference page of scenes has the tables that
-//! the keys of scenes make.
+//! The schema that is checked in is the one the list of nodes makes, and the reference pages have the tables that
+//! the keys of graphs and scenes make.
 //!
-//! `PHENOMENON_BLESS=1 cargo test --workspace --test file_schema` writes both anew.
+//! `PHENOMENON_BLESS=1 cargo test --workspace --test file_schema` writes all of them anew.
 
 use std::path::{Path, PathBuf};
 
-use phenomenon_compiler::check::check_graph;
+use phenomenon_compiler::check::{check_graph, keys};
 use phenomenon_compiler::diagnostics::Code;
-use phenomenon_compiler::document::read;
+use phenomenon_compiler::document::{Section, read};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::schema::with_tables;
 use phenomenon_runtime::scene_file::{SCENE, file_schema};
@@ -33,21 +33,33 @@ fn the_schema_is_in_sync() {
     assert!(checked_in == schema, "graphs/schema.json differs; write it anew as this file says");
 }
 
-#[test]
-fn the_page_of_scenes_shows_the_keys_as_they_are() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/scene-format.md");
-    let mut page = std::fs::read_to_string(&path).unwrap();
-    let made = with_tables(&page, &SCENE).unwrap();
+/// A page of `docs` has the tables of these sections, and a heading for each that the tables refer to.
+fn shows(page: &str, sections: &[&Section]) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs").join(page);
+    let mut text = std::fs::read_to_string(&path).unwrap();
+    let made = with_tables(&text, sections).unwrap();
     if std::env::var_os("PHENOMENON_BLESS").is_some() {
         std::fs::write(&path, &made).unwrap();
-        page.clone_from(&made);
+        text.clone_from(&made);
     }
-    assert!(page == made, "docs/scene-format.md differs; write it anew as this file says");
-    // Every section is a heading that the tables refer to.
-    for section in SCENE.all().into_iter().skip(1) {
-        assert!(page.contains(&format!("# {}\n", section.name)), "{}", section.name);
+    assert!(text == made, "docs/{page} differs; write it anew as this file says");
+    for section in sections {
+        let is_referred_to = text.contains(&format!("](#{})", section.name));
+        assert!(
+            !is_referred_to || text.contains(&format!("# {}\n", section.name)),
+            "{}",
+            section.name
+        );
     }
-    assert!(page.contains("# set\n"));
+    text
+}
+
+#[test]
+fn the_pages_show_the_keys_as_they_are() {
+    let scenes = shows("scene-format.md", &SCENE.all());
+    assert!(scenes.contains("# set\n") && scenes.contains("](#camera)"));
+    let graphs = shows("graph-format.md", &keys::sections());
+    assert!(graphs.contains("](#parameter)") && graphs.contains("| `soft_min` | `scalar`"));
 }
 
 #[test]

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use phenomenon_compiler::diagnostics::Code;
-use phenomenon_compiler::schema::{Given, Key, Kind, Section};
+use phenomenon_compiler::document::{Given, Key, Kind, Section};
 use phenomenon_runtime::film::{self, Film};
 use phenomenon_runtime::lights::Environment;
 use phenomenon_runtime::scene_file::{
@@ -186,6 +186,7 @@ fn what_must_be_given_must_be_given() {
             Given::Required if key.name == "scene" => vec![Code::NOT_A_SCENE],
             Given::Required => vec![Code::MISSING_KEY],
             Given::Choice => vec![Code::UNUSABLE_OBJECT],
+            Given::RequiredBut(_) => panic!("objects of scenes have no types"),
             Given::Optional | Given::Default(_) => Vec::new(),
         };
         assert_eq!(codes, expected, "{}", example.path(key));

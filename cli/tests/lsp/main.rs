@@ -7,6 +7,7 @@ mod foreign;
 mod protocol;
 mod scenes;
 mod typing;
+mod values;
 
 /// A graph without mistakes.
 const GRAPH: &str = r#"{

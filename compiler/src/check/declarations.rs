@@ -74,8 +74,9 @@ pub(super) fn declaration<'d>(
         reader.choice_or(value, what, &choices, synonyms::value_type)
     });
     let has_values = object.optional("values").is_some();
-    let keys = keys::of_declaration(said.map(Said::name), has_values).iter().copied();
-    let keys: Vec<&str> = keys.filter(|key| top || *key != "default").collect();
+    let keys = keys::of_declaration(said.map(Said::name), has_values).into_iter();
+    let keys = keys.filter(|key| top || key.name != "default");
+    let keys: Vec<&str> = keys.map(|key| key.name).collect();
     reader.object(value, what, &keys);
     match said {
         Some(Said::One(value_type)) => one(reader, &object, value_type, what).map(Declared::One),

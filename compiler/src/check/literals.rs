@@ -7,6 +7,7 @@ use crate::document::{Reader, Value, ValueKind, numbers};
 use crate::graph::bind::is_affine;
 use crate::values::{Literal, Space, Texture, Type};
 
+use super::keys::TEXTURE;
 use super::mismatch;
 use super::type_names::with_article;
 
@@ -137,7 +138,7 @@ fn light<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<String> {
 
 /// `{ "texture": "a.png", "space": "srgb" }`; the path is relative to the folder of the file.
 fn texture<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Texture> {
-    let object = reader.object(value, "a texture", &["texture", "space"])?;
+    let object = reader.object(value, TEXTURE.what, &TEXTURE.names())?;
     let file = object.required(reader, "texture")?;
     let space = match object.optional("space") {
         None => None,

@@ -8,7 +8,7 @@ use crate::document::{Member, Reader, Value, ValueKind};
 use crate::nodes::{NodeType, Signature};
 
 use super::draft::{Draft, DraftInput, DraftNode};
-use super::keys::NODE;
+use super::keys::NODE_KEYS;
 use super::limits::MAX_NODES;
 use super::names::check_key;
 use super::reachable::file_of;
@@ -99,16 +99,16 @@ fn unknown_keys<'d>(
             let key = &member.key;
             signature.input(key).is_some()
                 || synonyms::input(key, |name| signature.input(name).is_some()).is_some()
-                    && synonyms::key(key, |ours| NODE.contains(&ours)).is_none()
+                    && synonyms::key(key, |ours| NODE_KEYS.contains(&ours)).is_none()
         }
         // Of a type that is not known nothing but inputs can be meant.
-        None => inputs.is_none() && !NODE.iter().any(|key| is_near(&member.key, key)),
+        None => inputs.is_none() && !NODE_KEYS.iter().any(|key| is_near(&member.key, key)),
     };
     let (misplaced, others): (Vec<&Member>, Vec<&Member>) =
         unknown.into_iter().partition(|member| is_input(member));
     let name = shortened(&node.key);
     for member in others {
-        reader.unknown_key(member, &format!("node `{name}`"), &NODE);
+        reader.unknown_key(member, &format!("node `{name}`"), &NODE_KEYS);
     }
     let Some(first) = misplaced.first() else { return };
     // What they connect is not looked at where they stand.

@@ -41,7 +41,7 @@ pub(super) fn check<'d>(reader: &mut Reader<'d>, given: Given<'d>, named: Named)
     if !is_graph(reader, root) || !reader.reads_format(root) {
         return None;
     }
-    let object = reader.object(root, "a phenomenon", &keys::PHENOMENON)?;
+    let object = reader.object(root, keys::PHENOMENON.what, &keys::PHENOMENON.names())?;
     let header = read_header(reader, &object);
     let mut draft = Draft::new(given.library, reader.findings.has_errors());
     let nodes = object.optional("nodes");

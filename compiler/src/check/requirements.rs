@@ -4,9 +4,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostics::{Code, Finding, Place, shortened};
-use crate::document::{Member, Reader, Value};
+use crate::document::{Key, Kind, Member, Reader, Value};
 use crate::effects::{Asked, Effect, Trace};
-use crate::nodes::Kind;
+use crate::nodes;
 
 use super::draft::Draft;
 use super::keys;
@@ -31,15 +31,6 @@ struct Required {
     by: String,
     place: Place,
 }
-
-/// Choices of the keys that exclude one another.
-const EXCLUSIVE: [(&str, &[&str]); 5] = [
-    ("scanline", &["on", "off"]),
-    ("trace", &["on", "off"]),
-    ("shadow", &["on", "off", "sort", "segments"]),
-    ("face", &["front", "back", "both"]),
-    ("space", &["object", "camera", "mixed"]),
-];
 
 impl Joined {
     /// What is required in the end.
@@ -115,7 +106,7 @@ pub(super) fn check<'d>(
                 requirements.join(reader, key, Required { value, by, place });
             }
             requirements.join_nested(&nested.graph.requirements);
-        } else if let Kind::Request(effect) = draft.node_types.signature(node_type).kind
+        } else if let nodes::Kind::Request(effect) = draft.node_types.signature(node_type).kind
             && casts_rays(effect)
             && requirements.exclusive.get("trace").is_none_or(|it| it.value != "on")
         {
@@ -157,8 +148,9 @@ fn casts_rays(effect: Effect) -> bool {
 fn read<'d>(reader: &mut Reader<'d>, member: &'d Member, requirements: &mut Joined) {
     let value = &member.value;
     let what = format!("`{}`", shortened(&member.key));
-    if let Some((key, choices)) = EXCLUSIVE.into_iter().find(|(key, _)| *key == member.key) {
-        let choices: Vec<(&str, &'static str)> = choices.iter().map(|it| (*it, *it)).collect();
+    // Words exclude one another.
+    if let Some(Key { name: key, kind: Kind::Word(words), .. }) = keys::REQUIRES.key(&member.key) {
+        let choices: Vec<(&str, &'static str)> = words.iter().map(|it| (*it, *it)).collect();
         if let Some(value) = reader.choice(value, &what, &choices) {
             let place = reader.document.place(&member.value);
             let by = "the phenomenon".into();
@@ -196,6 +188,6 @@ fn read<'d>(reader: &mut Reader<'d>, member: &'d Member, requirements: &mut Join
             }
             requirements.rest.apply = Some(apply);
         }
-        _ => reader.unknown_key(member, "`requires`", &keys::REQUIRES),
+        _ => reader.unknown_key(member, "`requires`", &keys::REQUIRES.names()),
     }
 }

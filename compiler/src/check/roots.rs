@@ -6,7 +6,7 @@ use crate::document::{Member, Reader, Value, ValueKind};
 use crate::graph::RootKind;
 
 use super::draft::{Draft, DraftRoot, Source, SourceKind};
-use super::keys::PHENOMENON;
+use super::keys::{PHENOMENON, ROOT};
 use super::limits::MAX_SHADERS;
 use super::sources;
 
@@ -22,7 +22,7 @@ pub(super) fn read<'d>(
         let misspelt = graph.members().iter().any(|member| {
             is_near(&member.key, "roots")
                 || synonyms::key(&member.key, |ours| ours == "roots").is_some()
-                    && !PHENOMENON.contains(&member.key.as_str())
+                    && PHENOMENON.key(&member.key).is_none()
         });
         if !misspelt {
             no_root(reader, graph.start);
@@ -75,7 +75,7 @@ fn read_root<'d>(
     if !composite {
         return (read_shaders(reader, value, draft), None);
     }
-    let Some(object) = reader.object(value, "a root", &["color", "ok"]) else {
+    let Some(object) = reader.object(value, ROOT.what, &ROOT.names()) else {
         return (Vec::new(), None);
     };
     let color = object.required(reader, "color");

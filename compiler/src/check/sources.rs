@@ -5,6 +5,7 @@ use crate::diagnostics::{Advice, Code, Finding, is_near, listed, shortened};
 use crate::document::{Reader, Value, ValueKind};
 
 use super::draft::{Draft, Source, SourceKind};
+use super::keys::{CONNECTION, CONNECTION_KEYS};
 use super::references;
 use super::shape::struct_literal;
 
@@ -38,17 +39,17 @@ fn no_connection(reader: &mut Reader<'_>, value: &Value) {
         reader.report(Code::TYPE_MISMATCH, value, message, "give one value or a connection");
         return;
     }
-    let keys = ["node", "output", "interface", "texture", "light", "struct"];
+    let keys = || CONNECTION_KEYS.into_iter().chain(["texture", "light", "struct"]);
     let misspelt =
-        value.members().iter().find(|member| keys.iter().any(|key| is_near(&member.key, key)));
+        value.members().iter().find(|member| keys().any(|key| is_near(&member.key, key)));
     match misspelt.or(value.members().first()) {
-        Some(member) => reader.unknown_key(member, "a connection", &keys[..3]),
+        Some(member) => reader.unknown_key(member, CONNECTION.what, &CONNECTION_KEYS),
         None => reader.report(Code::WRONG_KIND, value, "an empty object connects nothing", HELP),
     }
 }
 
 fn connection<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> SourceKind {
-    let Some(object) = reader.object(value, "a connection", &["node", "output"]) else {
+    let Some(object) = reader.object(value, CONNECTION.what, &CONNECTION_KEYS[..2]) else {
         return SourceKind::Broken;
     };
     let Some(name) = object.optional("node").and_then(|node| reader.string(node, "`node`")) else {
@@ -127,7 +128,8 @@ fn unknown_node(
 }
 
 fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> SourceKind {
-    let Some(object) = reader.object(value, "a connection to the interface", &["interface"]) else {
+    let Some(object) = reader.object(value, "a connection to the interface", &CONNECTION_KEYS[2..])
+    else {
         return SourceKind::Broken;
     };
     let Some(given) = object.optional("interface") else { return SourceKind::Broken };

@@ -1,7 +1,7 @@
 //! JSON as written: every key and value with its place in the file.
 //!
 //! It is strict JSON (RFC 8259) in UTF-8. It keeps duplicate keys, so that the checker can
-//! report them, and numbers as written.
+//! report them, and numbers as written. What keys the objects of a format have, tables say: a `Section` for each.
 
 mod canonical;
 mod format;
@@ -12,16 +12,18 @@ mod places;
 mod prescan;
 mod read;
 mod reader;
+mod section;
 mod syntax;
 mod value;
 
 pub use canonical::canonical;
 pub use format::FORMAT;
 pub(crate) use format::is_newer_format;
+pub use mistakes::{MAX_BRACKETS, MAX_MISTAKES};
 pub(crate) use open::irregular;
 pub use open::{open_file, opened_files};
-pub use mistakes::{MAX_BRACKETS, MAX_MISTAKES};
 pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES};
 pub use read::{all_mistakes, read, read_file, read_from};
 pub use reader::{Object, Reader};
+pub use section::{Given, Key, Kind, Section, names_of};
 pub use value::{Document, Member, Value, ValueKind};

@@ -3,20 +3,21 @@
 use serde_json::{Map, Value, json};
 
 use super::parts::{described, object, reference};
+use super::sections::Sections;
 use crate::check::{MAX_SHADERS, keys};
-use crate::document::FORMAT;
-use crate::graph::RootKind;
+use crate::document::{Given, Key};
 use crate::nodes::{DefaultValue, Input, NodeLibrary, Signature};
-use crate::values::{Space, Type};
+use crate::values::Type;
 
 /// Adds the definition `graph` of graph files, and what it needs.
 pub fn define_graph(library: &NodeLibrary, definitions: &mut Map<String, Value>) {
-    definitions.insert("graph".into(), graph());
+    definitions.insert("graph".into(), SECTIONS.schema(&keys::PHENOMENON));
     definitions
         .insert("name".into(), json!({ "type": "string", "pattern": NAME, "maxLength": 256 }));
     definitions.insert("parameter".into(), declaration(true));
     definitions.insert("element".into(), declaration(false));
-    definitions.insert("requires".into(), requires());
+    definitions.insert("requires".into(), SECTIONS.schema(&keys::REQUIRES));
+    definitions.insert("roots".into(), roots());
     definitions.insert("root".into(), root());
     definitions.insert("shaders".into(), shaders());
     definitions.insert("node".into(), node(library));
@@ -27,48 +28,20 @@ pub fn define_graph(library: &NodeLibrary, definitions: &mut Map<String, Value>)
 const NAME: &str =
     "^[^\\s\\u0000-\\u002c\\u002e-\\u002f\\u003a-\\u0040\\u005b-\\u005e\\u0060\\u007b-\\u007f]+$";
 
-fn graph() -> Value {
-    let by_name = |definition: &str, description: &str| {
-        json!({
-            "type": "object",
-            "description": description,
-            "propertyNames": reference("name"),
-            "additionalProperties": reference(definition),
-        })
-    };
-    let roots: Map<String, Value> =
-        RootKind::ALL.iter().map(|kind| (kind.name().to_owned(), reference("root"))).collect();
-    let mut roots = object(&[], Value::Object(roots));
-    roots["description"] = json!("What it is called for.");
-    roots["minProperties"] = json!(1);
-    object(
-        &["phenomenon", "roots"],
-        json!({
-            "$schema": { "type": "string" },
-            "format": {
-                "type": "integer", "minimum": 1, "maximum": FORMAT, "default": 1,
-                "description": "Format of the file.",
-            },
-            "phenomenon": described("name", "Name of the phenomenon."),
-            "version": {
-                "type": "integer", "minimum": 0, "maximum": i32::MAX,
-                "description": "Version of the phenomenon; 0 where none is given.",
-            },
-            "doc": { "type": "string", "description": "What it is." },
-            "requires": described("requires", "What the renderer must do for it."),
-            "interface": by_name("parameter", "Its parameters, by name."),
-            "nodes": by_name("node", "Its nodes, by name."),
-            "roots": roots,
-            "editor": { "description": "Whatever editors keep here; it changes nothing." },
-        }),
-    )
-}
+const SECTIONS: Sections = Sections {
+    definition: |section| match section.name {
+        "phenomenon" => "graph".into(),
+        name => name.into(),
+    },
+};
 
 /// What an input of each type may be given.
 fn sources(definitions: &mut Map<String, Value>) {
+    let (parameter, node): (Vec<&Key>, Vec<&Key>) =
+        keys::CONNECTION.keys.iter().partition(|key| key.name == "interface");
     let connection = json!({ "anyOf": [
-        object(&["node"], json!({ "node": { "type": "string" }, "output": { "type": "string" } })),
-        object(&["interface"], json!({ "interface": { "type": "string" } })),
+        object(&["node"], SECTIONS.properties(node)),
+        object(&["interface"], SECTIONS.properties(parameter)),
     ] });
     let text = json!({ "type": "string" });
     let number = json!({ "type": "number", "minimum": -f64::from(f32::MAX), "maximum": f64::from(f32::MAX) });
@@ -76,8 +49,7 @@ fn sources(definitions: &mut Map<String, Value>) {
     let integer = json!({ "type": "integer", "minimum": i32::MIN, "maximum": i32::MAX });
     let number_here = reference("number");
     let light = object(&["light"], json!({ "light": text }));
-    let spaces: Vec<&str> = Space::ALL.iter().map(|(name, _)| *name).collect();
-    let texture = object(&["texture"], json!({ "texture": text, "space": { "enum": spaces } }));
+    let texture = SECTIONS.schema(&keys::TEXTURE);
     let null = json!({ "type": "null" });
     for (name, literal) in [
         ("boolean", vec![json!({ "type": "boolean" })]),
@@ -114,110 +86,63 @@ fn source_name(value_type: Type) -> &'static str {
 
 /// A parameter, or a member of a struct; without a default what an array is of.
 fn declaration(with_default: bool) -> Value {
-    let text = json!({ "type": "string" });
-    let mut choices = Vec::new();
-    let mut choice = |name: &str, required: &[&str], mut properties: Value| {
-        if !with_default && let Some(properties) = properties.as_object_mut() {
-            properties.remove("default");
-        }
-        let required: Vec<&str> =
-            required.iter().copied().filter(|key| with_default || *key != "default").collect();
-        choices.push(json!({
-            "if": { "properties": { "type": { "const": name } }, "required": ["type"] },
-            "then": object(&required, properties),
-        }));
-    };
-    for value_type in Type::ALL {
-        let name = value_type.name();
-        let (required, properties) = one(value_type);
-        choice(name, required, properties);
-    }
-    choice(
-        "array",
-        &["type", "of", "default"],
-        json!({
-            "type": { "const": "array" },
-            "of": described("element", "What each of its values is."),
-            "default": { "type": "array", "minItems": 1, "description": "Its values; as many as there ever are." },
-            "doc": text, "editor": {},
-        }),
-    );
-    choice(
-        "struct",
-        &["type", "members"],
-        json!({
-            "type": { "const": "struct" },
-            "members": {
-                "type": "object", "minProperties": 1,
-                "propertyNames": reference("name"),
-                "additionalProperties": reference("parameter"),
-            },
-            "default": object(&["struct"], json!({ "struct": { "type": "object" } })),
-            "doc": text, "editor": {},
-        }),
-    );
+    let choices: Vec<Value> =
+        keys::declared_types().iter().map(|name| declaration_of(name, with_default)).collect();
     let names = keys::declared_types();
     json!({ "type": "object", "required": ["type"], "properties": { "type": { "enum": names } }, "allOf": choices })
 }
 
-/// The keys of a parameter of one value, and which of them it must have.
-fn one(value_type: Type) -> (&'static [&'static str], Value) {
-    let number = json!({ "$ref": "#/definitions/number" });
-    let text = json!({ "type": "string" });
-    let name = value_type.name();
-    let literal = json!({ "$ref": format!("#/definitions/{name}_literal") });
-    let mut properties =
-        json!({ "type": { "const": name }, "default": literal, "doc": text, "editor": {} });
-    if value_type.is_numeric() {
-        for key in ["min", "max", "soft_min", "soft_max"] {
-            properties[key] = number.clone();
-        }
-        properties["unit"] = text.clone();
+/// What holds of a parameter of one type.
+fn declaration_of(name: &str, with_default: bool) -> Value {
+    let known = keys::of_declaration(Some(name), false).into_iter();
+    let known: Vec<&Key> = known.filter(|key| with_default || key.name != "default").collect();
+    let is_required = |key: &&&Key| match key.given {
+        Given::RequiredBut(types) => !types.contains(&name),
+        given => given == Given::Required,
+    };
+    let required: Vec<&str> = known.iter().filter(is_required).map(|key| key.name).collect();
+    let mut properties = SECTIONS.properties(known.iter().copied());
+    properties["type"] = json!({ "const": name });
+    if let Some(of) = properties.get_mut("of") {
+        *of = described("element", "What each of its values is.");
     }
-    if value_type == Type::Integer {
-        properties["default"] = json!({ "anyOf": [literal, { "type": "string" }] });
-        properties["values"] = json!({ "type": "array", "items": text, "minItems": 1, "uniqueItems": true, "description": "Names of 0, 1, 2 …" });
+    if let Some(members) = properties.get_mut("members") {
+        members["minProperties"] = json!(1);
     }
-    let has_own = matches!(value_type, Type::Lights | Type::Texture | Type::Shader);
-    (if has_own { &["type"] } else { &["type", "default"] }, properties)
+    if with_default {
+        let doc = properties["default"]["description"].take();
+        let mut default = match name {
+            "array" => json!({ "type": "array", "minItems": 1 }),
+            "struct" => object(&["struct"], json!({ "struct": { "type": "object" } })),
+            // Of an enumeration it may be a name.
+            "integer" => json!({ "anyOf": [reference("integer_literal"), { "type": "string" }] }),
+            name => json!({ "allOf": [reference(&format!("{name}_literal"))] }),
+        };
+        default["description"] = doc;
+        properties["default"] = default;
+    }
+    json!({
+        "if": { "properties": { "type": { "const": name } }, "required": ["type"] },
+        "then": object(&required, properties),
+    })
 }
 
-/// The requirements of mental ray's grammar.
-fn requires() -> Value {
-    let switch = json!({ "enum": ["on", "off"] });
-    let count = json!({ "type": "integer", "minimum": 0, "maximum": 1000 });
-    let properties = json!({
-        "scanline": switch,
-        "trace": switch,
-        "shadow": { "enum": ["on", "off", "sort", "segments"] },
-        "face": { "enum": ["front", "back", "both"] },
-        "space": { "enum": ["object", "camera", "mixed"] },
-        "texture": count,
-        "bump": count,
-        "volume_level": count,
-        "derivative": { "type": "array", "items": { "enum": [1, 2] }, "minItems": 1, "uniqueItems": true },
-        "parallel": { "type": "boolean" },
-        "apply": { "type": "array", "items": { "type": "string" }, "minItems": 1, "uniqueItems": true },
-    });
-    object(&[], properties)
+fn roots() -> Value {
+    let mut roots = SECTIONS.schema(&keys::ROOTS);
+    roots["minProperties"] = json!(1);
+    roots
 }
 
 fn root() -> Value {
-    json!({ "anyOf": [
-        { "$ref": "#/definitions/shaders" },
-        object(&["color"], json!({
-            "color": { "$ref": "#/definitions/shaders" },
-            "ok": { "$ref": "#/definitions/boolean" },
-        })),
-    ] })
+    json!({ "anyOf": [reference("shaders"), SECTIONS.schema(&keys::ROOT)] })
 }
 
 /// A color, or a list of shaders that hand one another their color.
 fn shaders() -> Value {
     json!({ "anyOf": [
-        { "$ref": "#/definitions/color" },
+        reference("color"),
         {
-            "type": "array", "items": { "$ref": "#/definitions/color" },
+            "type": "array", "items": reference("color"),
             "minItems": 1, "maxItems": MAX_SHADERS,
         },
     ] })
@@ -247,21 +172,18 @@ fn node(library: &NodeLibrary) -> Value {
             "then": of_type,
         }));
     }
-    let mut node = object(
-        &["type"],
-        json!({
-            "type": {
-                "anyOf": [
-                    { "enum": names, "enumDescriptions": docs },
-                    object(&["file"], json!({ "file": { "type": "string", "minLength": 1 } })),
-                ],
-            },
-            "version": { "type": "integer", "minimum": 0, "maximum": i32::MAX },
-            "doc": { "type": "string" },
-            "inputs": { "type": "object" },
-            "editor": {},
-        }),
-    );
+    let mut node = SECTIONS.schema(&keys::NODE);
+    let properties = &mut node["properties"];
+    properties["type"] = json!({
+        "anyOf": [
+            { "enum": names, "enumDescriptions": docs },
+            object(&["file"], json!({ "file": { "type": "string", "minLength": 1 } })),
+        ],
+        "description": properties["type"]["description"],
+    });
+    properties["inputs"] = json!({
+        "type": "object", "description": properties["inputs"]["description"],
+    });
     node["allOf"] = Value::Array(choices);
     node
 }
@@ -294,44 +216,4 @@ fn input_schema(input: &Input) -> Value {
         return described(&format!("{}_list", source_name(input.value_type)), &doc);
     }
     described(source_name(input.value_type), &doc)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn properties(of: &Value) -> Vec<&str> {
-        let mut keys: Vec<&str> =
-            of["properties"].as_object().unwrap().keys().map(String::as_str).collect();
-        keys.sort_unstable();
-        keys
-    }
-
-    fn sorted<'k>(keys: &[&'k str]) -> Vec<&'k str> {
-        let mut keys = keys.to_vec();
-        keys.sort_unstable();
-        keys
-    }
-
-    /// The schema's objects have the keys the reader knows, no more and no less.
-    #[test]
-    fn the_schema_knows_the_keys_of_the_reader() {
-        assert_eq!(properties(&graph()), sorted(&keys::PHENOMENON));
-        assert_eq!(properties(&node(&NodeLibrary::standard())), sorted(&keys::NODE));
-        assert_eq!(properties(&requires()), sorted(&keys::REQUIRES));
-        let declarations = declaration(true);
-        let choices = declarations["allOf"].as_array().unwrap();
-        assert_eq!(choices.len(), keys::declared_types().len());
-        for choice in choices {
-            let name = choice["if"]["properties"]["type"]["const"].as_str();
-            let known = keys::of_declaration(name, false);
-            assert_eq!(properties(&choice["then"]), sorted(known), "{name:?}");
-        }
-        let of_enumerations = keys::of_declaration(Some("integer"), true);
-        assert!(
-            of_enumerations
-                .iter()
-                .all(|key| { keys::of_declaration(Some("integer"), false).contains(key) })
-        );
-    }
 }

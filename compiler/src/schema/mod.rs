@@ -1,12 +1,12 @@
-//! What is known about files, for editors and for reference pages: the JSON Schema of graphs, made from
-//! the list of nodes, and tables of keys, from which schemas, pages and readers of other files are made.
+//! What editors and reference pages are told of files: the JSON Schema of graphs, made from the list of nodes and the
+//! tables of keys, and what is made of the tables of other formats.
 
 mod graph;
-mod key;
 mod parts;
+mod sections;
 mod tables;
 
 pub use graph::define_graph;
-pub use key::{Given, Key, Kind, Section};
 pub use parts::{object, reference};
+pub use sections::Sections;
 pub use tables::with_tables;

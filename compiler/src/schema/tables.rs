@@ -2,15 +2,15 @@
 
 use std::fmt::Write;
 
-use super::key::{Given, Key, Kind, Section};
+use crate::document::{Given, Key, Kind, Section};
 
 /// The page with its tables as the keys are now. What stands between `<!-- keys of NAME -->` and `<!-- end -->` is made
-/// anew for the section called `NAME`, which is `root` or one below it; the rest stays.
+/// anew for the section called `NAME`, which is one of `sections`; the rest stays.
 ///
 /// # Errors
 /// The section that has no place in the page, or the mark that names none.
-pub fn with_tables(page: &str, root: &'static Section) -> Result<String, String> {
-    let mut left: Vec<&Section> = root.all();
+pub fn with_tables(page: &str, sections: &[&Section]) -> Result<String, String> {
+    let mut left = sections.to_vec();
     let mut text = String::new();
     let mut rest = page;
     while let Some((before, after)) = rest.split_once(MARK) {
@@ -30,22 +30,44 @@ pub fn with_tables(page: &str, root: &'static Section) -> Result<String, String>
 const MARK: &str = "<!-- keys of ";
 const END: &str = "<!-- end -->";
 
+/// A column of a table: its title, and what stands in it for a key.
+type Column = (&'static str, fn(&Key) -> String);
+
+const COLUMNS: [Column; 7] = [
+    ("key", |key| format!("`{}`", key.name)),
+    ("of", |key| quoted(key.only)),
+    ("value", |key| value(&key.kind)),
+    ("unit", |key| key.unit.into()),
+    ("default", default),
+    ("range", |key| key.kind.range()),
+    ("meaning", |key| key.doc.into()),
+];
+
+/// The table of a section, without the columns that would be empty.
 fn table(section: &Section) -> String {
-    let mut text = String::from(
-        "| key | value | unit | default | range | meaning |\n| --- | --- | --- | --- | --- | --- |\n",
-    );
+    let filled = |(_, cell): &Column| section.keys.iter().any(|key| !cell(key).is_empty());
+    let columns: Vec<Column> = COLUMNS.into_iter().filter(filled).collect();
+    let row = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
+    let mut text = row(columns.iter().map(|(title, _)| (*title).to_owned()).collect());
+    text.push_str(&row(columns.iter().map(|_| "---".to_owned()).collect()));
     for key in section.keys {
-        let Key { name, kind, given, unit, doc } = key;
-        let default = match given {
-            Given::Required => "required".into(),
-            Given::Choice => "one of these".into(),
-            Given::Optional => String::new(),
-            Given::Default(default) => format!("`{default}`"),
-        };
-        let (value, range) = (value(kind), kind.range());
-        let _ = writeln!(text, "| `{name}` | {value} | {unit} | {default} | {range} | {doc} |");
+        text.push_str(&row(columns.iter().map(|(_, cell)| cell(key)).collect()));
     }
     text
+}
+
+fn quoted(words: &[&str]) -> String {
+    words.iter().map(|word| format!("`{word}`")).collect::<Vec<String>>().join(", ")
+}
+
+fn default(key: &Key) -> String {
+    match key.given {
+        Given::Required => "required".into(),
+        Given::RequiredBut(types) => format!("required, but of {}", quoted(types)),
+        Given::Choice => "one of these".into(),
+        Given::Optional => String::new(),
+        Given::Default(default) => format!("`{default}`"),
+    }
 }
 
 /// What a value is, with the way to the section it has.
@@ -67,6 +89,7 @@ mod tests {
         keys: &[Key {
             name: "size",
             kind: Kind::Number(0.0..=1.0),
+            only: &[],
             given: Given::Default("1"),
             unit: "metres",
             doc: "How large",
@@ -76,18 +99,18 @@ mod tests {
 
     #[test]
     fn tables_are_made_anew_and_the_rest_stays() {
-        let page = with_tables("a\n<!-- keys of root -->old<!-- end -->\nb", &ROOT).unwrap();
-        assert!(page.starts_with("a\n<!-- keys of root -->\n\n| key |"), "{page}");
+        let page = with_tables("a\n<!-- keys of root -->old<!-- end -->\nb", &[&ROOT]).unwrap();
+        assert!(page.starts_with("a\n<!-- keys of root -->\n\n| key | value |"), "{page}");
         assert!(page.contains(
             "\n| `size` | number | metres | `1` | 0 to 1 | How large |\n\n<!-- end -->\nb"
         ));
-        assert_eq!(with_tables(&page, &ROOT).unwrap(), page);
+        assert_eq!(with_tables(&page, &[&ROOT]).unwrap(), page);
     }
 
     #[test]
     fn a_page_without_a_section_is_refused() {
-        assert_eq!(with_tables("", &ROOT).unwrap_err(), "root");
+        assert_eq!(with_tables("", &[&ROOT]).unwrap_err(), "root");
         let other = "<!-- keys of nothing --><!-- end -->";
-        assert_eq!(with_tables(other, &ROOT).unwrap_err(), "nothing");
+        assert_eq!(with_tables(other, &[&ROOT]).unwrap_err(), "nothing");
     }
 }

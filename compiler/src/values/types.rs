@@ -58,7 +58,7 @@ impl Type {
     }
 
     /// The name in graph files.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Type::Boolean => "boolean",
             Type::Integer => "integer",

@@ -3,8 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use phenomenon_compiler::check::Setting;
-use phenomenon_compiler::document::{Object, Reader, Value};
-use phenomenon_compiler::schema::Section;
+use phenomenon_compiler::document::{Object, Reader, Section, Value};
 
 use super::description::{MaterialRef, MaterialSource};
 use super::keys::COORDINATES;

@@ -3,8 +3,7 @@
 
 use std::ops::RangeInclusive;
 
-use phenomenon_compiler::document::FORMAT;
-use phenomenon_compiler::schema::{Given, Key, Kind, Section};
+use phenomenon_compiler::document::{FORMAT, Given, Key, Kind, Section};
 
 /// What coordinates and factors of scale may be.
 pub const COORDINATES: RangeInclusive<f64> = -1e12..=1e12;
@@ -35,7 +34,7 @@ const fn measured(
     unit: &'static str,
     doc: &'static str,
 ) -> Key {
-    Key { name, kind, given, unit, doc }
+    Key { name, kind, only: &[], given, unit, doc }
 }
 
 /// A scene file.

@@ -1,8 +1,9 @@
 //! The JSON Schema of graph and scene files: editors complete node types, inputs, keys and words from it, with
 //! their docs.
 
+use phenomenon_compiler::document::Section;
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_compiler::schema::{Given, Key, Kind, Section, define_graph, object, reference};
+use phenomenon_compiler::schema::{Sections, define_graph, object, reference};
 use serde_json::{Map, Value, json};
 
 use super::keys::SCENE;
@@ -28,7 +29,7 @@ pub fn file_schema(library: &NodeLibrary) -> String {
 /// Adds the definition `scene` and what it needs.
 fn define_scene(definitions: &mut Map<String, Value>) {
     for section in SCENE.all() {
-        definitions.insert(definition(section), schema(section));
+        definitions.insert(definition(section), SECTIONS.schema(section));
     }
     definitions.insert(
         "scene_settings".into(),
@@ -45,6 +46,8 @@ fn define_scene(definitions: &mut Map<String, Value>) {
     );
 }
 
+const SECTIONS: Sections = Sections { definition };
+
 /// The name of the definition of a section.
 fn definition(section: &Section) -> String {
     match section.name {
@@ -53,75 +56,10 @@ fn definition(section: &Section) -> String {
     }
 }
 
-fn schema(section: &Section) -> Value {
-    let required = |key: &&Key| key.given == Given::Required;
-    let required: Vec<&str> = section.keys.iter().filter(required).map(|key| key.name).collect();
-    let properties = section.keys.iter().map(|key| (key.name.to_owned(), property(key)));
-    let mut schema = object(&required, Value::Object(properties.collect()));
-    if !section.one_of.is_empty() {
-        schema["oneOf"] = section.one_of.iter().map(|key| json!({ "required": [key] })).collect();
-    }
-    schema
-}
-
-fn property(key: &Key) -> Value {
-    let of_kind = of_kind(&key.kind);
-    // What stands beside a reference is not read.
-    let mut property = match of_kind.get("$ref") {
-        Some(_) => json!({ "allOf": [of_kind] }),
-        None => of_kind,
-    };
-    let doc = key.doc.replace('`', "");
-    property["description"] = match key.unit {
-        "" => format!("{doc}."),
-        unit => format!("{doc} ({unit})."),
-    }
-    .into();
-    if let Given::Default(default) = key.given
-        && let Ok(default) = serde_json::from_str::<Value>(default)
-    {
-        property["default"] = default;
-    }
-    property
-}
-
-/// A number of JSON; bounds of 64 bits keep all their digits.
-fn whole(number: i128) -> Value {
-    match (u64::try_from(number), i64::try_from(number)) {
-        (Ok(number), _) => number.into(),
-        (_, Ok(number)) => number.into(),
-        _ => (number as f64).into(),
-    }
-}
-
-fn of_kind(kind: &Kind) -> Value {
-    match kind {
-        Kind::Text => json!({ "type": "string" }),
-        Kind::File => json!({ "type": "string", "minLength": 1 }),
-        Kind::Word(words) => json!({ "enum": words }),
-        Kind::True => json!({ "const": true }),
-        Kind::Whole(range) => {
-            json!({ "type": "integer", "minimum": whole(*range.start()), "maximum": whole(*range.end()) })
-        }
-        Kind::Number(range) => {
-            json!({ "type": "number", "minimum": range.start(), "maximum": range.end() })
-        }
-        Kind::Several(of, count) => json!({
-            "type": "array", "items": of_kind(of),
-            "minItems": count.start(), "maxItems": count.end(),
-        }),
-        Kind::Either(one, other) => json!({ "anyOf": [of_kind(one), of_kind(other)] }),
-        Kind::Object(section) => reference(&definition(section)),
-        Kind::Objects(section) => {
-            json!({ "type": "array", "items": reference(&definition(section)) })
-        }
-        Kind::Settings => reference("scene_settings"),
-        Kind::Anything => json!({}),
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use phenomenon_compiler::document::Given;
+
     use super::*;
 
     #[test]
@@ -134,7 +72,7 @@ mod tests {
                 let at = format!("{}.{}", section.name, key.name);
                 if let Given::Default(default) = key.given {
                     let default = serde_json::from_str::<Value>(default);
-                    let schema = json!({ "allOf": [of_kind(&key.kind)], "definitions": {
+                    let schema = json!({ "allOf": [SECTIONS.of_kind(&key.kind)], "definitions": {
                         "scene_settings": {} } });
                     let refers = key.kind.section().is_some();
                     let suits = |default: &Value| {

@@ -1,24 +1,20 @@
 //! What can be written where the cursor stands.
 
+use lsp_types::{CompletionItem, CompletionItemKind};
 use phenomenon_compiler::check::keys;
-use phenomenon_compiler::document::Member;
-use phenomenon_compiler::graph::RootKind;
+use phenomenon_compiler::document::{Kind, Member, Value, ValueKind};
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_compiler::schema::{Key, Kind};
-use serde_json::{Value, json};
+use phenomenon_compiler::values::Type;
 
 use super::cursor::Cursor;
 use super::file::OpenFile;
+use super::keys::{Spot, spot};
+use super::offers::Offers;
 use super::open_files::OpenFiles;
-use super::parts::{Part, members, of_phenomenon, parts_of, text};
-use super::scene_keys::{self, Spot};
+use super::parameters::{Declaration, declaration, settable};
+use super::part::text;
+use super::parts::{members, parts_of, phenomenon, phenomenon_of};
 use crate::ours::Ours;
-
-/// Kinds of completions, as the protocol numbers them.
-const FIELD: u8 = 5;
-const VARIABLE: u8 = 6;
-const CLASS: u8 = 7;
-const PROPERTY: u8 = 10;
 
 /// Completions at a byte of the file.
 pub fn complete(
@@ -26,71 +22,199 @@ pub fn complete(
     at: usize,
     library: &NodeLibrary,
     files: &OpenFiles,
-) -> Vec<Value> {
-    let Some(ours) = file.ours else { return Vec::new() };
+) -> Vec<CompletionItem> {
     let cursor = Cursor::after(&file.text()[..at]);
     let path: Vec<&str> = cursor.path.iter().map(String::as_str).collect();
-    let item = |label: &str, kind: u8, detail: &str, doc: &str| {
-        // Within a string its quotes are there; outside they are put in.
-        let text = if cursor.written.is_some() { label.to_owned() } else { format!("{label:?}") };
-        json!({ "label": label, "kind": kind, "detail": detail, "documentation": doc, "insertText": text })
-    };
-    let words = |words: &[&str]| -> Vec<Value> {
-        words.iter().map(|word| item(word, PROPERTY, "", "")).collect()
-    };
-    let fields = |parts: Option<Vec<Part>>| -> Vec<Value> {
-        let parts = parts.unwrap_or_default();
-        parts.iter().map(|part| item(&part.name, FIELD, &part.of, &part.doc)).collect()
-    };
-    if ours == Ours::Scene {
-        return in_scene(file, &cursor, &path, files, &item);
+    let offers = Offers { in_string: cursor.written.is_some() };
+    let place = Place { file, cursor: &cursor, library, files, offers };
+    match file.ours {
+        Some(Ours::Scene) => place.in_scene(&path),
+        Some(_) if cursor.at_key => place.key(&path),
+        Some(_) => place.value(&path),
+        None => Vec::new(),
     }
-    match (path.as_slice(), cursor.at_key) {
-        ([], true) => words(&keys::PHENOMENON),
-        (["requires"], true) => words(&keys::REQUIRES),
-        (["nodes", _], true) => words(&keys::NODE),
-        (["interface", place @ ..], true) if is_declaration(place) => {
-            let of = cursor.siblings.get("type").map(String::as_str);
-            words(keys::of_declaration(of, cursor.siblings.contains_key("values")))
+}
+
+/// Where the cursor stands, and what is known there.
+struct Place<'p> {
+    file: &'p OpenFile,
+    cursor: &'p Cursor,
+    library: &'p NodeLibrary,
+    files: &'p OpenFiles,
+    offers: Offers,
+}
+
+impl Place<'_> {
+    /// Keys at a path of a graph.
+    fn key(&self, path: &[&str]) -> Vec<CompletionItem> {
+        let offers = self.offers;
+        match path {
+            [] => offers.keys(keys::PHENOMENON.keys),
+            ["requires"] => offers.keys(keys::REQUIRES.keys),
+            ["nodes", _] => offers.keys(keys::NODE.keys),
+            ["interface", place @ ..] if is_declaration(place) => {
+                let of = self.cursor.siblings.get("type").map(String::as_str);
+                let has_values = self.cursor.siblings.contains_key("values");
+                offers.keys(keys::of_declaration(of, has_values))
+            }
+            ["roots"] => offers.keys(keys::ROOTS.keys),
+            ["roots", _] => offers.keys(keys::CONNECTION.keys.iter().chain(keys::ROOT.keys)),
+            ["nodes", name, "inputs"] => {
+                let parts =
+                    parts_of(self.file, name, self.written_type(), self.library, self.files);
+                offers.parts(&parts.map(|parts| parts.inputs).unwrap_or_default())
+            }
+            ["nodes", name, "inputs", input, inner @ ..] => {
+                let mut items = self.nested(name, input, inner);
+                items.extend(offers.keys(keys::CONNECTION.keys));
+                items
+            }
+            _ => Vec::new(),
         }
-        (["interface", place @ .., "type"], false) if is_declaration(place) => {
-            words(&keys::declared_types())
+    }
+
+    /// Values at a path of a graph.
+    fn value(&self, path: &[&str]) -> Vec<CompletionItem> {
+        let (file, offers) = (self.file, self.offers);
+        match path {
+            ["requires", key] => words_of(keys::REQUIRES.key(key).map(|key| &key.kind), offers),
+            ["interface", place @ .., "type"] if is_declaration(place) => {
+                let words = keys::declared_types().iter().copied();
+                offers.words(words, CompletionItemKind::PROPERTY)
+            }
+            ["nodes", _, "type"] => {
+                let signatures = self.library.iter().map(|(_, definition)| &definition.signature);
+                let kind = CompletionItemKind::CLASS;
+                signatures.map(|it| offers.word(&it.name, kind, &it.group, &it.doc)).collect()
+            }
+            ["nodes" | "roots", .., "node"] => {
+                let of =
+                    |member: &Member| text(&member.value, "type").unwrap_or_default().to_owned();
+                self.members("nodes", |member| (of(member), String::new()))
+            }
+            ["nodes" | "roots", .., "output"] => {
+                let node = self.cursor.siblings.get("node").map(String::as_str).unwrap_or_default();
+                let parts = parts_of(file, node, None, self.library, self.files);
+                offers.parts(&parts.map(|parts| parts.outputs).unwrap_or_default())
+            }
+            ["nodes" | "roots", .., "interface"] => {
+                let said = |member: &Member, key: &str| {
+                    text(&member.value, key).unwrap_or_default().to_owned()
+                };
+                self.members("interface", |member| (said(member, "type"), said(member, "doc")))
+            }
+            ["nodes", name, "inputs", input, inner @ ..] => {
+                let nested = self.nested(name, input, inner);
+                if nested.is_empty() { self.of_library(name, input) } else { nested }
+            }
+            _ => Vec::new(),
         }
-        (["roots"], true) => words(&RootKind::ALL.map(RootKind::name)),
-        (["nodes", _, "type"], false) => {
-            let signatures = library.iter().map(|(_, definition)| &definition.signature);
-            signatures.map(|it| item(&it.name, CLASS, it.group, &it.doc)).collect()
+    }
+
+    /// What may be given to an input of a node of the library, besides numbers and connections.
+    fn of_library(&self, node: &str, input: &str) -> Vec<CompletionItem> {
+        let parts = parts_of(self.file, node, self.written_type(), self.library, self.files);
+        let inputs = parts.map(|parts| parts.inputs).unwrap_or_default();
+        let Some(part) = inputs.iter().find(|part| part.name == input) else { return Vec::new() };
+        let is_boolean = part.of == Type::Boolean.name();
+        let truth = is_boolean.then_some(&Kind::Boolean);
+        let choices = part.choices.iter().map(String::as_str);
+        let mut items = self.offers.words(choices, CompletionItemKind::ENUM_MEMBER);
+        items.extend(words_of(truth, self.offers));
+        items
+    }
+
+    /// The type of the node the cursor is in, as it stands before the cursor.
+    fn written_type(&self) -> Option<&str> {
+        self.cursor.around.get(2)?.get("type").map(String::as_str)
+    }
+
+    /// Nodes or parameters of the file, with what `told` has to say of them: in few words, and in many.
+    fn members(
+        &self,
+        section: &str,
+        told: impl Fn(&Member) -> (String, String),
+    ) -> Vec<CompletionItem> {
+        let item = |member: &Member| {
+            let (detail, doc) = told(member);
+            self.offers.word(&member.key, CompletionItemKind::VARIABLE, &detail, &doc)
+        };
+        members(self.file, section).iter().map(item).collect()
+    }
+
+    /// What may be given to a parameter of a phenomenon that is used as a node, at a path of keys within the value.
+    fn nested(&self, node: &str, input: &str, inner: &[&str]) -> Vec<CompletionItem> {
+        // A file that is written after `type` stands in an object of its own, which ended before the cursor.
+        if self.written_type().is_some() {
+            return Vec::new();
         }
-        (["nodes", name, "inputs"], true) => {
-            let written = cursor.around.get(2).and_then(|node| node.get("type"));
-            let parts = parts_of(file, name, written.map(String::as_str), library, files);
-            fields(parts.map(|parts| parts.inputs))
+        let Some(document) = phenomenon_of(self.file, node, self.files) else { return Vec::new() };
+        let declared = declaration(&document, input);
+        let offers = |declared: Declaration<'_>| {
+            declared.offers(inner, self.cursor.at_key, self.offers, &[])
+        };
+        declared.map(offers).unwrap_or_default()
+    }
+
+    /// Completions in a scene: its keys, the words they take, and the parameters of the graphs it uses.
+    fn in_scene(&self, path: &[&str]) -> Vec<CompletionItem> {
+        let (offers, at_key) = (self.offers, self.cursor.at_key);
+        if let Some(at) = path.iter().position(|key| *key == "set")
+            && let Some(Spot::Settings) = spot(&path[..=at])
+        {
+            return self.in_set(&path[at + 1..]);
         }
-        (["nodes", name, "inputs", input], false) => {
-            let written = cursor.around.get(2).and_then(|node| node.get("type"));
-            let parts = parts_of(file, name, written.map(String::as_str), library, files);
-            let inputs = parts.map(|parts| parts.inputs).unwrap_or_default();
-            let choices = inputs.iter().find(|part| part.name == *input).map(|part| &part.choices);
-            choices.into_iter().flatten().map(|choice| item(choice, VARIABLE, "", "")).collect()
+        match (spot(path), at_key) {
+            (Some(Spot::Section(section)), true) => offers.keys(section.keys),
+            (Some(Spot::Value(key)), false) => words_of(Some(&key.kind), offers),
+            _ => Vec::new(),
         }
-        (["nodes" | "roots", .., "node"], false) => {
-            let of = |member: &Member| text(&member.value, "type").unwrap_or_default().to_owned();
-            let nodes = members(file, "nodes").iter();
-            nodes.map(|it| item(&it.key, VARIABLE, &of(it), "")).collect()
+    }
+
+    /// Completions in a `set`, at a path of keys below it.
+    fn in_set(&self, path: &[&str]) -> Vec<CompletionItem> {
+        // The graph is named in the object that has the `set`, which is the outermost with a file.
+        let graph = self.cursor.around.iter().find_map(|object| object.get("file"));
+        let document = graph.and_then(|graph| phenomenon(self.file, graph, self.files));
+        let Some(document) = document else { return Vec::new() };
+        let [name, inner @ ..] = path else {
+            return match self.cursor.at_key {
+                true => self.offers.parts(&settable(&document)),
+                false => Vec::new(),
+            };
+        };
+        let declared = declaration(&document, name);
+        let lights = light_names(self.file);
+        let offers = |declared: Declaration<'_>| {
+            declared.offers(inner, self.cursor.at_key, self.offers, &lights)
+        };
+        declared.map(offers).unwrap_or_default()
+    }
+}
+
+/// The words a key takes.
+fn words_of(kind: Option<&Kind>, offers: Offers) -> Vec<CompletionItem> {
+    match kind {
+        Some(Kind::Word(words) | Kind::Several(Kind::Word(words), _)) => {
+            offers.words(words.iter().copied(), CompletionItemKind::VALUE)
         }
-        (["nodes" | "roots", .., "output"], false) => {
-            let node = cursor.siblings.get("node").map(String::as_str).unwrap_or_default();
-            fields(parts_of(file, node, None, library, files).map(|parts| parts.outputs))
+        Some(Kind::Boolean) => {
+            ["true", "false"].iter().filter_map(|word| offers.literal(word, "")).collect()
         }
-        (["nodes" | "roots", .., "interface"], false) => {
-            let doc = |member: &Member| text(&member.value, "doc").unwrap_or_default().to_owned();
-            let of = |member: &Member| text(&member.value, "type").unwrap_or_default().to_owned();
-            let parameters = members(file, "interface").iter();
-            parameters.map(|it| item(&it.key, VARIABLE, &of(it), &doc(it))).collect()
-        }
-        (["nodes", _, "inputs", _] | ["roots", _], true) => words(&keys::CONNECTION),
+        Some(Kind::True) => offers.literal("true", "").into_iter().collect(),
         _ => Vec::new(),
     }
+}
+
+/// The names of the lights of a scene.
+fn light_names(file: &OpenFile) -> Vec<String> {
+    let lights = file.document.as_ref().and_then(|document| document.root.get("lights"));
+    let elements = match lights.map(|lights| &lights.kind) {
+        Some(ValueKind::Array(elements)) => elements.as_slice(),
+        _ => &[],
+    };
+    let name = |light: &Value| text(light, "name").map(str::to_owned);
+    elements.iter().filter_map(name).collect()
 }
 
 /// Whether a place below `interface` is that of a declaration: of a parameter, of an element, or of a member.
@@ -99,34 +223,5 @@ fn is_declaration(place: &[&str]) -> bool {
         [_] => true,
         [inner @ .., "of"] | [inner @ .., "members", _] => is_declaration(inner),
         _ => false,
-    }
-}
-
-/// Completions in a scene: its keys, the words they take, and the parameters of the graphs it uses.
-fn in_scene(
-    file: &OpenFile,
-    cursor: &Cursor,
-    path: &[&str],
-    files: &OpenFiles,
-    item: &dyn Fn(&str, u8, &str, &str) -> Value,
-) -> Vec<Value> {
-    match (scene_keys::spot(path), cursor.at_key) {
-        (Some(Spot::Section(section)), true) => {
-            let of = |key: &Key| {
-                item(key.name, PROPERTY, &scene_keys::detail(key), &scene_keys::doc(key))
-            };
-            section.keys.iter().map(of).collect()
-        }
-        (Some(Spot::Value(key)), false) => match key.kind {
-            Kind::Word(words) => words.iter().map(|word| item(word, VARIABLE, "", "")).collect(),
-            _ => Vec::new(),
-        },
-        (Some(Spot::Settings), true) => {
-            let graph = cursor.around.last().and_then(|material| material.get("file"));
-            let parts = graph.and_then(|graph| of_phenomenon(file, graph, files));
-            let inputs = parts.map(|parts| parts.inputs).unwrap_or_default();
-            inputs.iter().map(|it| item(&it.name, FIELD, &it.of, &it.doc)).collect()
-        }
-        _ => Vec::new(),
     }
 }

@@ -4,13 +4,16 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use lsp_types::{
+    Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, Location, NumberOrString,
+    Position, Range, Uri,
+};
 use phenomenon_compiler::check::check_graph_with;
 use phenomenon_compiler::diagnostics::{Finding, Place, Related, Severity, SourceFile};
 use phenomenon_compiler::document::{self, Document, ValueKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::link::check_with_graphs;
 use phenomenon_runtime::scene_file::{Assets, is_scene};
-use serde_json::{Value, json};
 
 use super::address::{names_of, path_of, uri_of};
 use super::in_editor::InEditor;
@@ -98,11 +101,10 @@ impl OpenFile {
     }
 
     /// The byte at a position, whose characters count in UTF-16.
-    pub fn byte_of(&self, position: &Value) -> usize {
-        let line = position["line"].as_u64().unwrap_or(0) as usize;
-        let mut left = position["character"].as_u64().unwrap_or(0) as usize;
+    pub fn byte_of(&self, position: Position) -> usize {
+        let mut left = position.character as usize;
         let text = self.text();
-        let start = match line {
+        let start = match position.line as usize {
             0 => 0,
             line => text.match_indices('\n').nth(line - 1).map_or(text.len(), |(at, _)| at + 1),
         };
@@ -116,11 +118,11 @@ impl OpenFile {
     }
 
     /// The findings as the protocol has them.
-    pub fn diagnostics(&self) -> Vec<Value> {
+    pub fn diagnostics(&self) -> Vec<Diagnostic> {
         self.findings.iter().map(|finding| self.diagnostic(finding)).collect()
     }
 
-    fn diagnostic(&self, finding: &Finding) -> Value {
+    fn diagnostic(&self, finding: &Finding) -> Diagnostic {
         let own = finding.place.file.name == self.source.name;
         let message = match (own, finding.help.as_str()) {
             (false, _) => format!("in a file it uses: {finding}"),
@@ -131,39 +133,42 @@ impl OpenFile {
             true => range(&finding.place),
             false => self.use_of(finding),
         };
-        let related = finding.related.iter().map(|related| {
-            let uri = match related.place.file.name == self.source.name {
-                true => self.uri.clone(),
-                false => self.uri_of(&related.place.file.name),
-            };
-            json!({
-                "location": { "uri": uri, "range": self::range(&related.place) },
-                "message": related.message,
-            })
+        let severity = match finding.severity {
+            Severity::Error => DiagnosticSeverity::ERROR,
+            Severity::Warning => DiagnosticSeverity::WARNING,
+            Severity::Note => DiagnosticSeverity::INFORMATION,
+        };
+        let related = finding.related.iter().filter_map(|related| {
+            let uri = self.uri_of(&related.place.file.name)?;
+            let location = Location { uri, range: self::range(&related.place) };
+            Some(DiagnosticRelatedInformation { location, message: related.message.clone() })
         });
-        json!({
-            "range": range,
-            "severity": match finding.severity {
-                Severity::Error => 1,
-                Severity::Warning => 2,
-                Severity::Note => 3,
-            },
-            "code": finding.code.0,
-            "source": "phenomenon",
-            "message": message,
-            "relatedInformation": related.collect::<Vec<Value>>(),
-        })
+        Diagnostic {
+            range,
+            severity: Some(severity),
+            code: Some(NumberOrString::String(finding.code.0.into())),
+            source: Some("phenomenon".into()),
+            message,
+            related_information: Some(related.collect()),
+            ..Diagnostic::default()
+        }
     }
 
-    /// The address of a file it uses, from the name findings give it: names are Unicode, paths need not be.
-    fn uri_of(&self, name: &str) -> String {
+    /// Its address or that of a file it uses, from the name findings give it: names are Unicode, paths need not be. What
+    /// the editor calls an address need not be one; then the path makes one.
+    fn uri_of(&self, name: &str) -> Option<Uri> {
+        if name == self.source.name
+            && let Ok(own) = self.uri.parse()
+        {
+            return Some(own);
+        }
         let known = self.used.iter().find(|path| path.display().to_string() == name);
-        uri_of(known.map_or(Path::new(name), PathBuf::as_path))
+        uri_of(known.map_or(Path::new(name), PathBuf::as_path)).parse().ok()
     }
 
     /// Where this file uses the one a finding is in: the place itself is in another file. At the top
     /// where it uses it through a third.
-    fn use_of(&self, finding: &Finding) -> Value {
+    fn use_of(&self, finding: &Finding) -> Range {
         let here = |related: &&Related| related.place.file.name == self.source.name;
         if let Some(related) = finding.related.iter().find(here) {
             return range(&related.place);
@@ -174,8 +179,7 @@ impl OpenFile {
                 |name: &str| folder.join(name).display().to_string() == finding.place.file.name;
             Some(range(&document.place(name_of_file(&document.root, &names)?)))
         });
-        let nowhere = json!({ "line": 0, "character": 0 });
-        named.unwrap_or_else(|| json!({ "start": nowhere, "end": nowhere }))
+        named.unwrap_or_default()
     }
 }
 
@@ -197,15 +201,17 @@ fn name_of_file<'d>(
     }
 }
 
-fn range(place: &Place) -> Value {
-    json!({ "start": position(&place.file, place.start), "end": position(&place.file, place.end) })
+fn range(place: &Place) -> Range {
+    Range { start: position(&place.file, place.start), end: position(&place.file, place.end) }
 }
 
-fn position(file: &SourceFile, byte: usize) -> Value {
+fn position(file: &SourceFile, byte: usize) -> Position {
     let byte = file.text.floor_char_boundary(byte);
     let (line, _) = file.line_column(byte);
     let start = file.text[..byte].rfind('\n').map_or(0, |at| at + 1);
-    json!({ "line": line - 1, "character": file.text[start..byte].encode_utf16().count() })
+    let character = file.text[start..byte].encode_utf16().count();
+    // Files are far smaller than the largest number of the protocol.
+    Position { line: (line - 1) as u32, character: character as u32 }
 }
 
 /// Files that are named in a document and read as they are: meshes and pictures.
@@ -243,11 +249,9 @@ mod tests {
         let (files, assets) = (InEditor::default(), Assets::default());
         let text = "{\n\"😀é\": 1 }";
         let file = OpenFile::read("file:///a.json", text, None, &library, &files, &assets);
-        let at = |line: u64, character: u64| {
-            file.byte_of(&json!({ "line": line, "character": character }))
-        };
+        let at = |line: u32, character: u32| file.byte_of(Position { line, character });
         assert_eq!((at(0, 0), at(0, 9), at(1, 0), at(1, 1)), (0, 1, 2, 3));
         assert_eq!((at(1, 3), at(1, 4), at(9, 9)), (7, 9, file.text().len()));
-        assert_eq!(position(&file.source, 9), json!({ "line": 1, "character": 4 }));
+        assert_eq!(position(&file.source, 9), Position { line: 1, character: 4 });
     }
 }

@@ -1,31 +1,35 @@
 //! The docs of what is under the pointer.
 
+use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind};
+use phenomenon_compiler::document::{Key, Value};
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_compiler::schema::Key;
-use serde_json::{Value, json};
 
 use super::file::OpenFile;
+use super::keys;
 use super::open_files::OpenFiles;
-use super::parts::{Part, Parts, members, parts_of, text};
-use super::scene_keys;
+use super::part::{Part, text};
+use super::parts::{Parts, members, parts_of};
 use crate::ours::Ours;
 
-/// What there is to say about a byte of the file; null for nothing.
-pub fn hover(file: &OpenFile, at: usize, library: &NodeLibrary, files: &OpenFiles) -> Value {
+/// What there is to say about a byte of the file.
+pub fn hover(
+    file: &OpenFile,
+    at: usize,
+    library: &NodeLibrary,
+    files: &OpenFiles,
+) -> Option<Hover> {
     // Places are those of the text that was JSON last; while it is not, they may be off.
-    let Some(document) = file.document.as_ref().filter(|it| it.file.text == file.text()) else {
-        return Value::Null;
-    };
+    let document = file.document.as_ref().filter(|it| it.file.text == file.text())?;
     let place = document.place_of_bytes(at, at);
     let path: Vec<&str> = place.path.split('.').collect();
     if file.ours == Some(Ours::Scene) {
         // Where something stands in a list says nothing of its key.
-        let keys: Vec<&str> =
+        let path: Vec<&str> =
             path.iter().map(|key| key.split('[').next().unwrap_or_default()).collect();
-        return told(scene_keys::key(&keys).map(of_key));
+        return keys::key(&path).map(of_key).map(told);
     }
     let parts = |node: &str| parts_of(file, node, None, library, files);
-    told(match path.as_slice() {
+    let told_of = match path.as_slice() {
         ["nodes", .., "node" | "output"] | ["roots", .., "node" | "output"] => {
             let connection = innermost(&document.root, at);
             let node = connection.and_then(|connection| text(connection, "node"));
@@ -44,31 +48,26 @@ pub fn hover(file: &OpenFile, at: usize, library: &NodeLibrary, files: &OpenFile
         }
         ["interface", name, ..] => parameter(file, name),
         _ => None,
-    })
+    };
+    told_of.map(told)
 }
 
-fn told(told: Option<String>) -> Value {
-    match told {
-        Some(told) => json!({ "contents": { "kind": "markdown", "value": told } }),
-        None => Value::Null,
-    }
+fn told(value: String) -> Hover {
+    let contents = HoverContents::Markup(MarkupContent { kind: MarkupKind::Markdown, value });
+    Hover { contents, range: None }
 }
 
 fn of_key(key: &Key) -> String {
-    format!("`{}` {}\n\n{}", key.name, scene_keys::detail(key), scene_keys::doc(key))
+    format!("`{}` {}\n\n{}", key.name, keys::detail(key), keys::doc(key))
 }
 
 /// The innermost object round a byte.
-fn innermost(
-    value: &phenomenon_compiler::document::Value,
-    at: usize,
-) -> Option<&phenomenon_compiler::document::Value> {
+fn innermost(value: &Value, at: usize) -> Option<&Value> {
     let mut value = value;
     let mut found = None;
     while !value.members().is_empty() {
         found = Some(value);
-        let inside =
-            |value: &phenomenon_compiler::document::Value| value.start <= at && at < value.end;
+        let inside = |value: &Value| value.start <= at && at < value.end;
         match value.members().iter().find(|member| inside(&member.value)) {
             Some(member) => value = &member.value,
             None => break,

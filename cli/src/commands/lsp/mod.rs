@@ -7,9 +7,12 @@ mod cursor;
 mod file;
 mod hover;
 mod in_editor;
+mod keys;
+mod offers;
 mod open_files;
+mod parameters;
+mod part;
 mod parts;
-mod scene_keys;
 mod server;
 mod transport;
 

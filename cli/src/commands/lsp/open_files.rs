@@ -4,18 +4,18 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use lsp_types::Diagnostic;
 use phenomenon_compiler::check::{Files, OnDisk};
 use phenomenon_compiler::document::Document;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::scene_file::Assets;
-use serde_json::Value;
 
 use super::address::{names_of, path_of};
 use super::file::OpenFile;
 use super::in_editor::InEditor;
 
 /// Findings for a file, by its address.
-type Findings = (String, Vec<Value>);
+type Findings = (String, Vec<Diagnostic>);
 
 /// The open files, by address. Nothing is kept of files that are closed, and of pictures no more than whether they
 /// can be used.
@@ -118,6 +118,7 @@ impl OpenFiles {
 
 #[cfg(test)]
 mod tests {
+    use lsp_types::NumberOrString;
     use phenomenon_runtime::film::{self, Film};
 
     use super::super::address::uri_of;
@@ -144,7 +145,8 @@ mod tests {
         assert_eq!(files.assets.reads(), 2);
         std::fs::write(&sky, "no picture").unwrap();
         let findings = files.changed_on_disk(&[&uri_of(&sky)], &library);
-        assert_eq!(findings[0].1[0]["code"], "unusable-file");
+        let code = NumberOrString::String("unusable-file".into());
+        assert_eq!(findings[0].1[0].code, Some(code));
         files.change(&uri, &text("a sky that is broken"), &library);
         assert_eq!(files.assets.reads(), 3);
     }

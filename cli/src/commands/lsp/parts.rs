@@ -2,24 +2,13 @@
 
 use std::path::Path;
 
-use phenomenon_compiler::document::{Member, Value, ValueKind};
+use phenomenon_compiler::document::{Document, Member, Value};
 use phenomenon_compiler::nodes::{FINITE, Input, NodeLibrary, Signature};
 
 use super::file::OpenFile;
 use super::open_files::OpenFiles;
-
-/// An input or an output.
-#[derive(Debug)]
-pub struct Part {
-    /// Its name.
-    pub name: String,
-    /// Its type.
-    pub of: String,
-    /// Its doc, with its range.
-    pub doc: String,
-    /// The names it may be given, where it is a choice.
-    pub choices: Vec<String>,
-}
+use super::parameters::parameters;
+use super::part::{Part, text};
 
 /// What a node has.
 #[derive(Debug)]
@@ -49,7 +38,19 @@ pub fn parts_of(
     if let Some(name) = written.or(known.and_then(|member| text(&member.value, "type"))) {
         return library.find(name).map(|node_type| of_signature(library.signature(node_type)));
     }
-    of_phenomenon(file, text(known?.value.get("type")?, "file")?, files)
+    let named = text(known?.value.get("type")?, "file")?;
+    phenomenon(file, named, files).map(|document| of_phenomenon(&document, named))
+}
+
+/// The phenomenon the node called `name` is, in the file as it was JSON last.
+pub fn phenomenon_of(file: &OpenFile, name: &str, files: &OpenFiles) -> Option<Document> {
+    let node = members(file, "nodes").iter().find(|member| member.key == name)?;
+    phenomenon(file, text(node.value.get("type")?, "file")?, files)
+}
+
+/// A phenomenon by the path a file names it with.
+pub fn phenomenon(file: &OpenFile, named: &str, files: &OpenFiles) -> Option<Document> {
+    files.document(&file.path().parent().unwrap_or(Path::new("")).join(named))
 }
 
 fn of_signature(signature: &Signature) -> Parts {
@@ -81,49 +82,28 @@ fn of_signature(signature: &Signature) -> Parts {
 }
 
 /// The parts of a phenomenon, as far as its file is understood: it may be in the making, too.
-pub fn of_phenomenon(file: &OpenFile, named: &str, files: &OpenFiles) -> Option<Parts> {
-    let folder = file.path().parent().unwrap_or(Path::new(""));
-    let document = files.document(&folder.join(named))?;
+fn of_phenomenon(document: &Document, named: &str) -> Parts {
     let root = &document.root;
-    let of_parameter = |member: &Member| Part {
-        name: member.key.clone(),
-        of: text(&member.value, "type").unwrap_or_default().into(),
-        doc: text(&member.value, "doc").unwrap_or_default().into(),
-        choices: Vec::new(),
-    };
     let output = |name: &str, of: &str, doc: &str| Part {
         name: name.into(),
         of: of.into(),
         doc: doc.into(),
         choices: Vec::new(),
     };
-    Some(Parts {
+    Parts {
         title: format!("**{}** ({named})", text(root, "phenomenon").unwrap_or_default()),
         doc: text(root, "doc").unwrap_or_default().into(),
         source: String::new(),
-        inputs: root
-            .get("interface")
-            .map_or(&[][..], Value::members)
-            .iter()
-            .map(of_parameter)
-            .collect(),
+        inputs: parameters(document),
         outputs: vec![
             output("color", "color", "The value of its root."),
             output("ok", "boolean", "Whether its root yields a value at all."),
         ],
-    })
+    }
 }
 
 /// The members of a part of the file, as it was JSON last.
 pub fn members<'f>(file: &'f OpenFile, part: &str) -> &'f [Member] {
     let part = file.document.as_ref().and_then(|document| document.root.get(part));
     part.map_or(&[], Value::members)
-}
-
-/// The string under a key.
-pub fn text<'f>(value: &'f Value, key: &str) -> Option<&'f str> {
-    match &value.get(key)?.kind {
-        ValueKind::String(text) => Some(text),
-        _ => None,
-    }
 }

@@ -1,7 +1,22 @@
 //! The conversation with an editor.
 
 use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response};
+use lsp_types::notification::{
+    DidChangeTextDocument, DidChangeWatchedFiles, DidCloseTextDocument, DidOpenTextDocument,
+    DidSaveTextDocument, Initialized, Notification as _, PublishDiagnostics,
+};
+use lsp_types::request::{
+    Completion, HoverRequest, Initialize, RegisterCapability, Request as _, Shutdown,
+};
+use lsp_types::{
+    CompletionOptions, Diagnostic, DidChangeWatchedFilesClientCapabilities,
+    DidChangeWatchedFilesRegistrationOptions, FileSystemWatcher, GlobPattern,
+    HoverProviderCapability, InitializeResult, Position, Registration, RegistrationParams,
+    ServerCapabilities, ServerInfo, TextDocumentContentChangeEvent, TextDocumentSyncCapability,
+    TextDocumentSyncKind, TextDocumentSyncOptions, TextDocumentSyncSaveOptions,
+};
 use phenomenon_compiler::nodes::NodeLibrary;
+use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
 use super::open_files::OpenFiles;
@@ -53,24 +68,25 @@ impl Server {
         let library = &self.library;
         let uri = params["textDocument"]["uri"].as_str();
         let changed = match (notification.method.as_str(), uri) {
-            ("initialized", _) if self.watches => return vec![watch_files()],
-            ("workspace/didChangeWatchedFiles", _) => {
+            (Initialized::METHOD, _) if self.watches => return watch_files().into_iter().collect(),
+            (DidChangeWatchedFiles::METHOD, _) => {
                 let changes = params["changes"].as_array().map_or(&[][..], Vec::as_slice);
                 let uris: Vec<&str> =
                     changes.iter().filter_map(|change| change["uri"].as_str()).collect();
                 self.files.changed_on_disk(&uris, library)
             }
-            ("textDocument/didOpen", Some(uri)) => {
+            (DidOpenTextDocument::METHOD, Some(uri)) => {
                 let text = params["textDocument"]["text"].as_str();
                 text.map_or(Vec::new(), |text| self.files.change(uri, text, library))
             }
-            ("textDocument/didChange", Some(uri)) => {
-                let changes = params["contentChanges"].as_array();
-                let text = changes.and_then(|all| all.last()).and_then(|it| it["text"].as_str());
-                text.map_or(Vec::new(), |text| self.files.change(uri, text, library))
+            (DidChangeTextDocument::METHOD, Some(uri)) => {
+                let changes =
+                    of_type::<Vec<TextDocumentContentChangeEvent>>(&params["contentChanges"]);
+                let last = changes.as_ref().and_then(|changes| changes.last());
+                last.map_or(Vec::new(), |last| self.files.change(uri, &last.text, library))
             }
-            ("textDocument/didSave", Some(uri)) => self.files.saved(uri, library),
-            ("textDocument/didClose", Some(uri)) => {
+            (DidSaveTextDocument::METHOD, Some(uri)) => self.files.saved(uri, library),
+            (DidCloseTextDocument::METHOD, Some(uri)) => {
                 let mut changed = vec![(uri.to_owned(), Vec::new())];
                 changed.extend(self.files.close(uri, library));
                 changed
@@ -84,20 +100,22 @@ impl Server {
         let refused =
             |id, code: ErrorCode, why: &str| Response::new_err(id, code as i32, why.into());
         match (self.stage, request.method.as_str()) {
-            (Stage::Greeting, "initialize") => {
+            (Stage::Greeting, Initialize::METHOD) => {
                 self.stage = Stage::Working;
-                let watched = "/capabilities/workspace/didChangeWatchedFiles/dynamicRegistration";
-                self.watches = request.params.pointer(watched) == Some(&Value::Bool(true));
+                let watching =
+                    &request.params["capabilities"]["workspace"]["didChangeWatchedFiles"];
+                self.watches = of_type::<DidChangeWatchedFilesClientCapabilities>(watching)
+                    .is_some_and(|watching| watching.dynamic_registration == Some(true));
                 Response::new_ok(request.id, capabilities())
             }
             (Stage::Greeting, _) => {
                 refused(request.id, ErrorCode::ServerNotInitialized, "`initialize` comes first")
             }
-            (Stage::Working, "shutdown") => {
+            (Stage::Working, Shutdown::METHOD) => {
                 self.stage = Stage::Leaving;
                 Response::new_ok(request.id, Value::Null)
             }
-            (Stage::Working, "initialize") => {
+            (Stage::Working, Initialize::METHOD) => {
                 refused(request.id, ErrorCode::InvalidRequest, "`initialize` comes once")
             }
             (Stage::Working, _) => self.look_up(request),
@@ -111,52 +129,79 @@ impl Server {
         let params = &request.params;
         let uri = params["textDocument"]["uri"].as_str();
         let file = uri.and_then(|uri| self.files.get(uri));
-        let at = file.map(|file| file.byte_of(&params["position"]));
-        let result = match (request.method.as_str(), file, at) {
-            ("textDocument/completion", Some(file), Some(at)) => {
-                Value::Array(complete::complete(file, at, &self.library, &self.files))
+        let at = of_type::<Position>(&params["position"]);
+        match (request.method.as_str(), file.zip(at)) {
+            (Completion::METHOD, Some((file, at))) => {
+                let at = file.byte_of(at);
+                let items = complete::complete(file, at, &self.library, &self.files);
+                Response::new_ok(request.id, items)
             }
-            ("textDocument/hover", Some(file), Some(at)) => {
-                hover::hover(file, at, &self.library, &self.files)
+            (HoverRequest::METHOD, Some((file, at))) => {
+                let at = file.byte_of(at);
+                Response::new_ok(request.id, hover::hover(file, at, &self.library, &self.files))
             }
-            ("textDocument/completion" | "textDocument/hover", ..) => Value::Null,
-            (method, ..) => {
+            // Nothing is known of a file that is not open, and of places that are none.
+            (Completion::METHOD | HoverRequest::METHOD, None) => {
+                Response::new_ok(request.id, Value::Null)
+            }
+            (method, _) => {
                 let message = format!("`{method}` is not known here");
-                let code = ErrorCode::MethodNotFound as i32;
-                return Response::new_err(request.id, code, message);
+                Response::new_err(request.id, ErrorCode::MethodNotFound as i32, message)
             }
-        };
-        Response::new_ok(request.id, result)
+        }
     }
 }
 
-fn capabilities() -> Value {
-    json!({
-        "capabilities": {
-            // Whole files: they are small, and are read anew with every change anyway.
-            "textDocumentSync": { "openClose": true, "change": 1, "save": true },
-            "completionProvider": { "triggerCharacters": ["\"", ":", " "] },
-            "hoverProvider": true,
+/// A part of a message, where it is what the protocol says. The addresses of files are read as they stand: editors send
+/// some that `lsp_types::Uri` refuses, and they must be answered with the very same.
+fn of_type<T: DeserializeOwned>(part: &Value) -> Option<T> {
+    T::deserialize(part).ok()
+}
+
+fn capabilities() -> InitializeResult {
+    let sync = TextDocumentSyncOptions {
+        open_close: Some(true),
+        // Whole files: they are small, and are read anew with every change anyway.
+        change: Some(TextDocumentSyncKind::FULL),
+        save: Some(TextDocumentSyncSaveOptions::Supported(true)),
+        ..TextDocumentSyncOptions::default()
+    };
+    let completion = CompletionOptions {
+        trigger_characters: Some(["\"", ":", " "].map(str::to_owned).to_vec()),
+        ..CompletionOptions::default()
+    };
+    InitializeResult {
+        capabilities: ServerCapabilities {
+            text_document_sync: Some(TextDocumentSyncCapability::Options(sync)),
+            completion_provider: Some(completion),
+            hover_provider: Some(HoverProviderCapability::Simple(true)),
+            ..ServerCapabilities::default()
         },
-        "serverInfo": { "name": "phenomenon", "version": env!("CARGO_PKG_VERSION") },
-    })
+        server_info: Some(ServerInfo {
+            name: "phenomenon".into(),
+            version: Some(env!("CARGO_PKG_VERSION").into()),
+        }),
+    }
 }
 
 /// Asks the editor to tell of changes on disk: of graphs and scenes, and of what they are made of.
-fn watch_files() -> Message {
-    let watchers = ["json", "obj", "png", "jpg", "jpeg", "exr", "hdr"]
-        .map(|ending| json!({ "globPattern": format!("**/*.{ending}") }));
-    let registration = json!({
-        "id": "files",
-        "method": "workspace/didChangeWatchedFiles",
-        "registerOptions": { "watchers": watchers },
+fn watch_files() -> Option<Message> {
+    let watchers = ["json", "obj", "png", "jpg", "jpeg", "exr", "hdr"].map(|ending| {
+        let glob_pattern = GlobPattern::String(format!("**/*.{ending}"));
+        FileSystemWatcher { glob_pattern, kind: None }
     });
-    let params = json!({ "registrations": [registration] });
+    let options = DidChangeWatchedFilesRegistrationOptions { watchers: watchers.to_vec() };
+    let registration = Registration {
+        id: "files".into(),
+        method: DidChangeWatchedFiles::METHOD.into(),
+        register_options: Some(serde_json::to_value(options).ok()?),
+    };
+    let params = RegistrationParams { registrations: vec![registration] };
     let id = RequestId::from("watch-files".to_owned());
-    Request::new(id, "client/registerCapability".into(), params).into()
+    Some(Request::new(id, RegisterCapability::METHOD.into(), params).into())
 }
 
-fn findings_of(uri: &str, diagnostics: Vec<Value>) -> Message {
+fn findings_of(uri: &str, diagnostics: Vec<Diagnostic>) -> Message {
     let params = json!({ "uri": uri, "diagnostics": diagnostics });
-    Notification::new("textDocument/publishDiagnostics".into(), params).into()
+    Notification::new(PublishDiagnostics::METHOD.into(), params).into()
 }

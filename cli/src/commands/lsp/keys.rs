@@ -1,9 +1,10 @@
-//! What there is to say about the keys of scenes, from the table the reader knows them by.
+//! What there is to say about the keys of files, from the tables their readers know them by.
 
-use phenomenon_compiler::schema::{Given, Key, Kind, Section};
+use phenomenon_compiler::diagnostics::listed;
+use phenomenon_compiler::document::{Given, Key, Kind, Section};
 use phenomenon_runtime::scene_file::SCENE;
 
-/// What stands at a path of keys, the indices of lists left out.
+/// What stands at a path of the keys of a scene, the indices of lists left out.
 #[derive(Debug)]
 pub enum Spot {
     /// An object with these keys.
@@ -58,6 +59,9 @@ pub fn detail(key: &Key) -> String {
 pub fn doc(key: &Key) -> String {
     match key.given {
         Given::Required => format!("{}.\n\nIt must be given.", key.doc),
+        Given::RequiredBut(types) => {
+            format!("{}.\n\nIt must be given, but of {}.", key.doc, listed(types.iter().copied()))
+        }
         Given::Choice => format!("{}.\n\nOne such key must be given.", key.doc),
         Given::Optional => format!("{}.", key.doc),
         Given::Default(default) => format!("{}.\n\nDefault: `{default}`", key.doc),

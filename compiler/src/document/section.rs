@@ -1,5 +1,5 @@
 //! What is known about the keys of a file: from it come the schema, the reference page, the lists of keys the reader
-//! knows, and completion in editors.
+//! knows, and completion in editors. Each format has a table of its sections.
 
 use std::ops::RangeInclusive;
 
@@ -25,6 +25,8 @@ pub struct Key {
     pub name: &'static str,
     /// What its value is.
     pub kind: Kind,
+    /// The values of the key `type` that it goes with; empty where it goes with all, or there is no such key.
+    pub only: &'static [&'static str],
     /// Whether it must be given, and what holds where it is not.
     pub given: Given,
     /// The unit of its numbers; empty where there is none.
@@ -38,6 +40,8 @@ pub struct Key {
 pub enum Given {
     /// It must.
     Required,
+    /// It must, but where the key `type` is one of these.
+    RequiredBut(&'static [&'static str]),
     /// It is one of the keys of which exactly one is given.
     Choice,
     /// Nothing holds where it is not given.
@@ -55,8 +59,12 @@ pub enum Kind {
     File,
     /// One of a few words.
     Word(&'static [&'static str]),
+    /// A name: letters, digits, `_` and `-`.
+    Name,
     /// `true` and nothing else.
     True,
+    /// `true` or `false`.
+    Boolean,
     /// A whole number.
     Whole(RangeInclusive<i128>),
     /// A number.
@@ -69,6 +77,17 @@ pub enum Kind {
     Object(&'static Section),
     /// A list of objects with known keys.
     Objects(&'static Section),
+    /// Objects with known keys, by names of the author's.
+    Named(&'static Section),
+    /// A list of names, each once.
+    Labels,
+    /// A value in graphs, described as `text`; `definition` is what the schema calls it.
+    Value {
+        /// What it is, in Markdown.
+        text: &'static str,
+        /// Its definition in the schema.
+        definition: &'static str,
+    },
     /// Values of a graph's parameters, by name.
     Settings,
     /// Anything.
@@ -86,24 +105,45 @@ impl Section {
         self.keys.iter().find(|key| key.name == name)
     }
 
-    /// It and all sections below it, each before those it holds.
+    /// Its keys where the key `type` is `of`.
+    pub fn keys_of(&self, of: &str) -> impl Iterator<Item = &'static Key> {
+        self.keys.iter().filter(move |key| key.only.is_empty() || key.only.contains(&of))
+    }
+
+    /// It and all sections below it, each once and before those it holds.
     pub fn all(&'static self) -> Vec<&'static Section> {
         let mut all = vec![self];
         let mut at = 0;
         while let Some(section) = all.get(at) {
-            let inner: Vec<_> = section.keys.iter().filter_map(|key| key.kind.section()).collect();
-            all.extend(inner);
+            for inner in section.keys.iter().filter_map(|key| key.kind.section()) {
+                // A section may hold itself.
+                if !all.iter().any(|known| known.name == inner.name) {
+                    all.push(inner);
+                }
+            }
             at += 1;
         }
         all
     }
 }
 
+/// The names of the keys of a section, for readers that look at many objects.
+pub const fn names_of<const N: usize>(section: &Section) -> [&'static str; N] {
+    let mut names = [""; N];
+    let mut at = 0;
+    while at < N {
+        names[at] = section.keys[at].name;
+        at += 1;
+    }
+    assert!(section.keys.len() == N);
+    names
+}
+
 impl Kind {
     /// The section of an object, or of the objects of a list.
     pub fn section(&self) -> Option<&'static Section> {
         match self {
-            Kind::Object(section) | Kind::Objects(section) => Some(section),
+            Kind::Object(section) | Kind::Objects(section) | Kind::Named(section) => Some(section),
             _ => None,
         }
     }
@@ -113,11 +153,11 @@ impl Kind {
         match self {
             Kind::Text => "string".into(),
             Kind::File => "path of a file".into(),
-            Kind::Word(words) => {
-                let words: Vec<String> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
-                words.join(" or ")
-            }
+            Kind::Name => "name".into(),
+            Kind::Word(words) => words_or(words),
+            Kind::Several(Kind::Word(words), _) => format!("list of {}", words_or(words)),
             Kind::True => "`true`".into(),
+            Kind::Boolean => "`true` or `false`".into(),
             Kind::Whole(_) => "whole number".into(),
             Kind::Number(_) => "number".into(),
             Kind::Several(of, count) => {
@@ -130,6 +170,9 @@ impl Kind {
             Kind::Either(one, other) => format!("{}, or {}", one.described(), other.described()),
             Kind::Object(_) => "object".into(),
             Kind::Objects(_) => "list of objects".into(),
+            Kind::Named(_) => "objects by name".into(),
+            Kind::Labels => "list of strings".into(),
+            Kind::Value { text, .. } => (*text).into(),
             Kind::Settings => "values by name".into(),
             Kind::Anything => "anything".into(),
         }
@@ -151,6 +194,15 @@ impl Kind {
             },
             _ => String::new(),
         }
+    }
+}
+
+/// Words between quotes, as a choice.
+fn words_or(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        _ => quoted.concat(),
     }
 }
 
@@ -184,5 +236,7 @@ mod tests {
         let kind = Kind::Either(&Kind::Whole(0..=5), &Kind::Several(&Kind::Whole(0..=9), 1..=3));
         assert_eq!(kind.described(), "whole number, or one to three whole numbers");
         assert_eq!(kind.range(), "0 to 5, or 0 to 9");
+        let words = Kind::Several(&Kind::Word(&["a", "b", "c"]), 1..=3);
+        assert_eq!(words.described(), "list of `\"a\"`, `\"b\"` or `\"c\"`");
     }
 }
