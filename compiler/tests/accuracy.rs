@@ -65,7 +65,7 @@ fn worst(
             }
             count = at + 1;
         }
-        (code.wide)(&mut file, &placement);
+        code.wide(&mut file, &placement);
         for at in 0..count {
             let word = |word: usize| f32::from_bits(file[at / LANES * 3 + word].0[at % LANES]);
             let (inputs, actual) = ([word(0), word(1)], word(2));

@@ -103,7 +103,7 @@ fn functions_stay_in_their_sets() {
 
 /// The interval of one output word of a body.
 fn interval(code: &BodyForms, inputs: &[Word]) -> Interval {
-    let mut outputs = vec![Word::UNKNOWN; code.outputs];
+    let mut outputs = vec![Word::UNKNOWN; code.outputs()];
     code.intervals(inputs, &mut outputs);
     match outputs[0] {
         Word::Number(interval) => interval,

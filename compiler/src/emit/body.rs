@@ -12,9 +12,4 @@ pub trait Body: 'static {
     const OUTPUTS: usize;
     /// Reads its inputs, computes, writes its outputs.
     fn run<E: Emit>(emit: E, words: &impl Words<E>, sink: &mut impl Sink<E>);
-    /// Its input words that are known before shading, with the numbers in them.
-    fn fixed(word: &dyn Fn(usize) -> u32) -> Vec<(usize, i32)> {
-        let _ = word;
-        Vec::new()
-    }
 }

@@ -51,7 +51,7 @@ impl Runner<'_> {
 fn run_step(step: &Step, simd: Simd, shape: FileShape, lanes: &mut [Lanes], blocks: usize) {
     let placement = Placement { shape, blocks, sources: &step.words, output: step.output };
     match simd {
-        Simd::Native => (step.code.wide)(lanes, &placement),
+        Simd::Native => step.code.wide(lanes, &placement),
         Simd::Portable => step.code.wide_portable(lanes, &placement),
     }
 }

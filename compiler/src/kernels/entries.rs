@@ -1,12 +1,10 @@
 //! The entries through which bodies run natively: for one point, and for blocks of eight.
 
-use super::block;
-use super::recorded::{Recorded, kept, recorder};
 use crate::emit::Body;
 use crate::emit::scalar::Scalar;
 use crate::storage::{Lanes, Placement};
 
-/// Whether the CPU runs the native forms (AVX2 and FMA).
+/// Whether the CPU runs the native forms of eight points (AVX2 and FMA).
 pub fn native_simd() -> bool {
     #[cfg(target_arch = "x86_64")]
     {
@@ -18,42 +16,68 @@ pub fn native_simd() -> bool {
     }
 }
 
-/// What `B` recorded, for what it knows before shading.
-fn recorded<B: Body>(word: &dyn Fn(usize) -> u32) -> &'static Recorded {
-    let fixed = B::fixed(word);
-    Recorded::of(recorder::<B>, B::OUTPUTS, if fixed.is_empty() { &[] } else { kept(&fixed) })
+/// Whether it runs those of one point: fused multiply-add is part of other architectures.
+fn native_point() -> bool {
+    cfg!(not(target_arch = "x86_64")) || native_simd()
 }
 
-/// Runs `B` for one point: compiled with fused multiply-add where the CPU has it, from its operations
-/// where it has not.
+/// A body for one point.
+///
+/// # Safety
+/// The CPU must have what it was compiled for: fused multiply-add, and on x86-64 AVX2.
+pub(super) type Point = unsafe fn(inputs: &[u32], outputs: &mut [u32]);
+
+/// The native form of a body for one point, on a CPU that runs it.
+#[derive(Clone, Copy, Debug)]
+pub struct NativePoint(Point);
+
+impl NativePoint {
+    /// This form, if the CPU runs it.
+    pub(super) fn new(point: Point) -> Option<Self> {
+        native_point().then_some(Self(point))
+    }
+
+    /// From the input words to the output words.
+    #[inline]
+    pub fn run(self, inputs: &[u32], outputs: &mut [u32]) {
+        // SAFETY: the CPU was asked when it was made.
+        unsafe { (self.0)(inputs, outputs) }
+    }
+}
+
+/// A body for blocks of eight points.
+///
+/// # Safety
+/// The CPU must have AVX2 and fused multiply-add.
+pub(super) type Blocks = unsafe fn(lanes: &mut [Lanes], placement: &Placement<'_>);
+
+/// `B` for one point, compiled with fused multiply-add.
 #[cfg(target_arch = "x86_64")]
-pub(super) fn scalar<B: Body>(inputs: &[u32], outputs: &mut [u32]) {
+pub(super) const fn point<B: Body>() -> Point {
     #[target_feature(enable = "avx2,fma")]
     fn with_fma<B: Body>(inputs: &[u32], mut outputs: &mut [u32]) {
         B::run(Scalar, &inputs, &mut outputs);
     }
-    if native_simd() {
-        // SAFETY: the features were detected.
-        return unsafe { with_fma::<B>(inputs, outputs) };
-    }
-    super::point::run(recorded::<B>(&|word| inputs[word]), inputs, outputs);
+    with_fma::<B>
 }
 
-/// Runs `B` for one point.
+/// `B` for one point.
 #[cfg(not(target_arch = "x86_64"))]
-pub(super) fn scalar<B: Body>(inputs: &[u32], mut outputs: &mut [u32]) {
-    B::run(Scalar, &inputs, &mut outputs);
+pub(super) const fn point<B: Body>() -> Point {
+    fn plain<B: Body>(inputs: &[u32], mut outputs: &mut [u32]) {
+        B::run(Scalar, &inputs, &mut outputs);
+    }
+    plain::<B>
 }
 
-/// Runs `B` over the blocks: compiled for eight lanes at once where the CPU can; from its operations
-/// where it cannot, or the body has more inputs than the wide form takes.
-pub(super) fn wide<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
+/// `B` for blocks of eight points, with the most inputs it takes; none where no CPU has eight lanes.
+pub(super) const fn blocks<B: Body>() -> Option<(Blocks, usize)> {
     #[cfg(target_arch = "x86_64")]
-    if native_simd() && placement.sources.len() <= crate::emit::avx2::MOST_INPUTS {
-        // SAFETY: the features were detected.
-        return unsafe { crate::emit::avx2::run::<B>(lanes, placement) };
+    {
+        Some((crate::emit::avx2::run::<B>, crate::emit::avx2::MOST_INPUTS))
     }
-    let word = |word| lanes[placement.input(word, 0)].0[0];
-    let recorded = recorded::<B>(&word);
-    block::run(recorded, lanes, placement);
+    #[cfg(not(target_arch = "x86_64"))]
+    {
+        None
+    }
 }

@@ -12,6 +12,6 @@ mod point;
 mod recorded;
 mod sets;
 
-pub use entries::native_simd;
+pub use entries::{NativePoint, native_simd};
 pub use forms::BodyForms;
 pub use recorded::Recorded;

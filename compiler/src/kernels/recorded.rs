@@ -1,7 +1,7 @@
 //! What a body recorded, once, for all that evaluates operations instead of running it.
 
-use std::collections::{BTreeSet, HashMap};
-use std::sync::{LazyLock, Mutex, OnceLock, PoisonError, RwLock};
+use std::collections::HashMap;
+use std::sync::{LazyLock, OnceLock, PoisonError, RwLock};
 
 use crate::emit::Body;
 use crate::ops::legalise::replay;
@@ -16,19 +16,55 @@ pub(super) fn recorder<B: Body>(inputs: &TapeInputs<'_>, mut outputs: &mut [OpId
 }
 
 /// Input words known before shading, with their numbers.
-pub(super) type Fixed = &'static [(usize, i32)];
+type Fixed = Box<[(usize, i32)]>;
 
-/// These, each different list kept once, for as long as the program runs: there are as many as ways to
-/// give nodes their counts and choices.
-pub(super) fn kept(fixed: &[(usize, i32)]) -> Fixed {
-    static ALL: Mutex<BTreeSet<Fixed>> = Mutex::new(BTreeSet::new());
-    let mut all = ALL.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = all.get(fixed) {
-        return known;
+/// A body that records when it is first asked to, and the place where that is kept as long as the
+/// program runs: there are as many as bodies, and ways to give them their counts and choices.
+pub(super) struct Kept {
+    recorder: Recorder,
+    outputs: usize,
+    fixed: Fixed,
+    recorded: OnceLock<Recorded>,
+}
+
+impl Kept {
+    /// The place of this recorder, for that many output words. Whoever has it asks no lock again.
+    ///
+    /// It is known by its address. Compilers fold functions only where their code is the same, which
+    /// then records the same; several addresses of one function cost nothing but memory.
+    pub fn of(recorder: Recorder, outputs: usize, fixed: &[(usize, i32)]) -> &'static Self {
+        type All = HashMap<(usize, usize, Fixed), &'static Kept>;
+        static ALL: LazyLock<RwLock<All>> = LazyLock::new(RwLock::default);
+        let key = (recorder as usize, outputs, Fixed::from(fixed));
+        let known = ALL.read().unwrap_or_else(PoisonError::into_inner).get(&key).copied();
+        known.unwrap_or_else(|| {
+            let mut all = ALL.write().unwrap_or_else(PoisonError::into_inner);
+            all.entry(key).or_insert_with(|| {
+                let fixed = fixed.into();
+                Box::leak(Box::new(Self { recorder, outputs, fixed, recorded: OnceLock::new() }))
+            })
+        })
     }
-    let leaked: Fixed = Box::leak(fixed.into());
-    all.insert(leaked);
-    leaked
+
+    /// The place of the same body where these words are known.
+    pub fn with_fixed(&self, fixed: &[(usize, i32)]) -> &'static Self {
+        Self::of(self.recorder, self.outputs, fixed)
+    }
+
+    /// What it records.
+    pub fn recorded(&self) -> &Recorded {
+        self.recorded.get_or_init(|| {
+            let tape = Tape::new();
+            let mut ids = vec![0; self.outputs];
+            (self.recorder)(&TapeInputs::loads(&tape).with_fixed(&self.fixed), &mut ids);
+            Recorded { ops: tape.into_ops(), outputs: ids, weight: OnceLock::new() }
+        })
+    }
+
+    /// Runs it over a tape, for these inputs there.
+    pub fn record_anew(&self, tape: &Tape, inputs: &[OpId], outputs: &mut [OpId]) {
+        (self.recorder)(&TapeInputs::given(tape, inputs).with_fixed(&self.fixed), outputs);
+    }
 }
 
 /// The operations of a body. `Load(n)` is its input word `n`.
@@ -42,31 +78,6 @@ pub struct Recorded {
 }
 
 impl Recorded {
-    /// What this recorder records, for that many output words. It is recorded when first asked for, and
-    /// kept as long as the program runs: there are as many as bodies.
-    ///
-    /// It is known by its address. Compilers fold functions only where their code is the same, which
-    /// then records the same; several addresses of one function cost nothing but memory.
-    pub(super) fn of(recorder: Recorder, outputs: usize, fixed: Fixed) -> &'static Self {
-        type All = HashMap<(usize, usize, Fixed), &'static Recorded>;
-        static ALL: LazyLock<RwLock<All>> = LazyLock::new(RwLock::default);
-        let key = (recorder as usize, outputs, fixed);
-        let known = ALL.read().unwrap_or_else(PoisonError::into_inner).get(&key).copied();
-        known.unwrap_or_else(|| {
-            // Before the lock is taken: a body may be anybody's.
-            let recorded = Self::new(recorder, outputs, fixed);
-            let mut all = ALL.write().unwrap_or_else(PoisonError::into_inner);
-            all.entry(key).or_insert_with(|| Box::leak(Box::new(recorded)))
-        })
-    }
-
-    fn new(recorder: Recorder, outputs: usize, fixed: Fixed) -> Self {
-        let tape = Tape::new();
-        let mut ids = vec![0; outputs];
-        recorder(&TapeInputs::loads(&tape).with_fixed(fixed), &mut ids);
-        Self { ops: tape.into_ops(), outputs: ids, weight: OnceLock::new() }
-    }
-
     /// Records the operations on another tape, for these inputs there.
     pub fn replay(&self, tape: &Tape, inputs: &[OpId], outputs: &mut [OpId]) {
         let ids = replay(&self.ops, tape, |word| inputs[word as usize]);

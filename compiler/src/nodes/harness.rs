@@ -53,11 +53,10 @@ pub fn numbers(definition: &Definition, given: &[(&str, Literal)], output: &str)
     let signature = &definition.signature;
     let overload = overload(definition, given);
     let inputs = words(definition, overload, given);
-    let fixed: Vec<_> =
-        definition.fixed_words(overload).map(|(_, word)| (word, inputs[word] as i32)).collect();
-    let code = overload.code.expect("the node has a body").with_fixed(&fixed);
+    let code = overload.code.expect("the node has a body");
+    let code = code.with_fixed(&fixed(definition, overload, &inputs));
     let mut outputs = vec![0; code.outputs];
-    (code.scalar)(&inputs, &mut outputs);
+    code.scalar(&inputs, &mut outputs);
     let mut portable = vec![0; code.outputs];
     code.scalar_portable(&inputs, &mut portable);
     assert_eq!(outputs, portable, "native and portable forms differ");
@@ -74,9 +73,11 @@ pub fn numbers(definition: &Definition, given: &[(&str, Literal)], output: &str)
 pub fn demanded(definition: &Definition, given: &[(&str, Literal)], input: &str) -> bool {
     let overload = overload(definition, given);
     let at = definition.signature.input(input).expect("the node has this input");
+    let inputs = words(definition, overload, given);
     let guard = overload.guards[at].expect("the input is guarded");
+    let guard = guard.with_fixed(&fixed(definition, overload, &inputs));
     let mut holds = [0];
-    (guard.scalar)(&words(definition, overload, given), &mut holds);
+    guard.scalar(&inputs, &mut holds);
     holds[0] != 0
 }
 
@@ -105,6 +106,11 @@ pub fn settled(value_type: Type, overload: &Overload) -> Type {
         Type::Generic => overload.generic.expect("a generic input has a generic overload"),
         known => known,
     }
+}
+
+/// What is known before shading, among these input words.
+fn fixed(definition: &Definition, overload: &Overload, words: &[u32]) -> Vec<(usize, i32)> {
+    definition.fixed_words(overload).map(|(_, word)| (word, words[word] as i32)).collect()
 }
 
 fn overload<'a>(definition: &'a Definition, given: &[(&str, Literal)]) -> &'a Overload {

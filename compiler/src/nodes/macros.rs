@@ -221,7 +221,7 @@ macro_rules! node {
         let _ = at;
         inputs
     }};
-    (@body_impl [$($bound:tt)*] $body:ident $shape:ty, [$($input:ident : $itype:ident $annotations:tt;)*] $outputs:expr, |$emit:ident, $words:ident, $sink:ident| $run:block) => {
+    (@body_impl [$($bound:tt)*] $body:ident $shape:ty, $outputs:expr, |$emit:ident, $words:ident, $sink:ident| $run:block) => {
         struct $body<S>(std::marker::PhantomData<S>);
 
         impl<$($bound)*> $crate::emit::Body for $body<$shape> {
@@ -232,22 +232,10 @@ macro_rules! node {
                 $words: &impl $crate::emit::Words<E>,
                 $sink: &mut impl $crate::emit::Sink<E>,
             ) $run
-
-            fn fixed(word: &dyn Fn(usize) -> u32) -> Vec<(usize, i32)> {
-                let (mut at, mut fixed) = (0, Vec::new());
-                $(
-                    if <$crate::nodes::ports::$itype as $crate::nodes::ports::Port>::FIXED {
-                        fixed.push((at, word(at) as i32));
-                    }
-                    at += const { $crate::nodes::ports::width::<$crate::nodes::ports::$itype, $shape>() };
-                )*
-                let _ = at;
-                fixed
-            }
         }
     };
     (@run $bounds:tt $shape:ty, $inputs:tt [$($output:ident : $otype:ident;)+]) => {
-        $crate::node!(@body_impl $bounds NodeBody $shape, $inputs
+        $crate::node!(@body_impl $bounds NodeBody $shape,
             0 $(+ $crate::nodes::ports::width::<$crate::nodes::ports::$otype, $shape>())+,
             |emit, words, sink| {
                 let result = body(emit, &$crate::node!(@load $shape, words, $inputs));
@@ -260,7 +248,7 @@ macro_rules! node {
             });
     };
     (@run_components $inputs:tt [$first:ident : generic $annotations:tt; $($input:ident : $itype:ident $more:tt;)*]) => {
-        $crate::node!(@body_impl [S: $crate::nodes::ports::Shape] NodeBody S, $inputs S::WIDTH, |emit, words, sink| {
+        $crate::node!(@body_impl [S: $crate::nodes::ports::Shape] NodeBody S, S::WIDTH, |emit, words, sink| {
             use $crate::emit::Components;
             let inputs = $crate::node!(@load S, words, $inputs);
             let mut result = inputs.$first.to_words();
@@ -279,7 +267,7 @@ macro_rules! node {
     };
     (@guard $bounds:tt $shape:ty, $mode:ident $e:ident $i:ident $inputs:tt when [$guard:expr]) => {{
         $crate::node!(@function holds $mode $e $i E::Mask, $guard);
-        $crate::node!(@body_impl $bounds Guard $shape, $inputs 1, |emit, words, sink| {
+        $crate::node!(@body_impl $bounds Guard $shape, 1, |emit, words, sink| {
             sink.mask(0, holds(emit, &$crate::node!(@load $shape, words, $inputs)));
         });
         Some($crate::kernels::BodyForms::of::<Guard<$shape>>())

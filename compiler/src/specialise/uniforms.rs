@@ -90,7 +90,7 @@ impl Uniforms {
     pub fn compute(&mut self, code: BodyForms, inputs: Vec<u32>) -> Vec<Source> {
         if inputs.iter().all(|&at| self.is_constant(at)) {
             let mut outputs = vec![0; code.outputs];
-            (code.scalar)(&gather(&self.values, &inputs), &mut outputs);
+            code.scalar(&gather(&self.values, &inputs), &mut outputs);
             return outputs.into_iter().map(|bits| self.constant(bits)).collect();
         }
         let output = self.values.len() as u32;
@@ -144,14 +144,14 @@ impl Computed {
     fn run(&self, values: &mut [u32]) {
         let inputs = gather(values, &self.inputs);
         let output = self.output as usize;
-        (self.code.scalar)(&inputs, &mut values[output..output + self.code.outputs]);
+        self.code.scalar(&inputs, &mut values[output..output + self.code.outputs]);
     }
 }
 
 impl Decision {
     fn run(&self, values: &[u32]) -> bool {
         let mut outcome = [0];
-        (self.code.scalar)(&gather(values, &self.inputs), &mut outcome);
+        self.code.scalar(&gather(values, &self.inputs), &mut outcome);
         outcome[0] != 0
     }
 }

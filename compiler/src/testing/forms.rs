@@ -94,11 +94,12 @@ pub fn undemanded_inputs_do_not_show(subjects: &Subjects) {
     each_body(subjects, |definition, overload, code| {
         for anywhere in [false, true] {
             let mut trial = Trial::new(definition, overload, anywhere);
-            let before = trial.points_by(code.scalar, code.outputs);
+            let before =
+                trial.points_by(|point, outputs| code.scalar(point, outputs), code.outputs);
             let mut hidden = 0;
             for (at, guard) in overload.guards.iter().enumerate() {
                 let Some(guard) = guard else { continue };
-                let demanded = trial.points_by(guard.scalar, 1);
+                let demanded = trial.points_by(|point, outputs| guard.scalar(point, outputs), 1);
                 let (first, width) = trial.places[at];
                 for (point, demanded) in trial.points.iter_mut().zip(&demanded) {
                     if demanded[0] == 0 {
@@ -107,7 +108,7 @@ pub fn undemanded_inputs_do_not_show(subjects: &Subjects) {
                     }
                 }
             }
-            let after = trial.points_by(code.scalar, code.outputs);
+            let after = trial.points_by(|point, outputs| code.scalar(point, outputs), code.outputs);
             for (at, (before, after)) in before.iter().zip(&after).enumerate() {
                 assert_eq!(before, after, "{} at {:x?}", trial.name, trial.points[at]);
             }
@@ -152,11 +153,12 @@ pub fn nodes_per_component_take_each_alone_and_keep_the_alpha_of_the_first(
             .expect("numbers have a form");
         for anywhere in [false, true] {
             let trial = Trial::new(definition, overload, anywhere);
-            let outputs = trial.points_by(code.scalar, code.outputs);
+            let outputs =
+                trial.points_by(|point, outputs| code.scalar(point, outputs), code.outputs);
             for (point, words) in trial.points.iter().zip(&outputs) {
                 for component in 0..words.len().min(3) {
                     let mut result = [0];
-                    (of_one.scalar)(&alone(definition, &trial, point, component), &mut result);
+                    of_one.scalar(&alone(definition, &trial, point, component), &mut result);
                     let word = &words[component..][..1];
                     assert_eq!(
                         canonical_words(word),

@@ -172,7 +172,7 @@ fn hold_knowing(name: &str, code: &BodyForms, types: &[Type], fixed: &[(usize, i
                 point.push(if own { within(&mut random, *word) } else { point[same] });
             }
             let mut outputs = vec![0; code.outputs];
-            (code.scalar)(&point, &mut outputs);
+            code.scalar(&point, &mut outputs);
             for (output, set) in outputs.iter().zip(&sets) {
                 assert!(
                     set.contains(*output),

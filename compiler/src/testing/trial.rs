@@ -88,10 +88,10 @@ impl Trial {
 
     /// The outputs of every point by the scalar form, after the other forms agreed.
     pub fn run(&self, code: &BodyForms) -> Vec<Vec<u32>> {
-        let scalar = self.points_by(code.scalar, code.outputs);
+        let scalar = self.points_by(|point, outputs| code.scalar(point, outputs), code.outputs);
         let portable =
             self.points_by(|point, outputs| code.scalar_portable(point, outputs), code.outputs);
-        let wide = self.blocks_by(code.wide, code.outputs);
+        let wide = self.blocks_by(|lanes, placement| code.wide(lanes, placement), code.outputs);
         let wide_portable =
             self.blocks_by(|lanes, placement| code.wide_portable(lanes, placement), code.outputs);
         let recorded = self.recorded(code);

@@ -43,11 +43,15 @@ pub fn all() -> impl Iterator<Item = &'static (&'static str, Run)> {
 }
 
 const ALWAYS: &[(&str, Run)] = &[
-    ("scalar", |case, inputs| point_by_point(&case.code.scalar, case, inputs)),
+    ("scalar", |case, inputs| {
+        point_by_point(&|point, outputs| case.code.scalar(point, outputs), case, inputs)
+    }),
     ("scalar, portable", |case, inputs| {
         point_by_point(&|point, outputs| case.code.scalar_portable(point, outputs), case, inputs)
     }),
-    ("wide", |case, inputs| blocks(&case.code.wide, case, inputs)),
+    ("wide", |case, inputs| {
+        blocks(&|lanes, placement| case.code.wide(lanes, placement), case, inputs)
+    }),
     ("wide, portable", |case, inputs| {
         blocks(&|lanes, placement| case.code.wide_portable(lanes, placement), case, inputs)
     }),
@@ -125,7 +129,14 @@ fn blocks(run: &dyn Fn(&mut [Lanes], &Placement<'_>), case: &Case, inputs: &Rows
 /// Writes the outputs over the inputs.
 pub fn in_place(case: &Case, inputs: &Rows) -> Rows {
     let sources: Vec<Source> = (0..inputs.width as u32).map(Source::Slot).collect();
-    placed(case.code.wide, case, inputs, &sources, inputs.width, 0)
+    placed(
+        |lanes, placement| case.code.wide(lanes, placement),
+        case,
+        inputs,
+        &sources,
+        inputs.width,
+        0,
+    )
 }
 
 /// Reads the first input, the same in all rows, from a uniform word.
@@ -133,7 +144,14 @@ pub fn with_uniform(case: &Case, inputs: &Rows) -> Rows {
     let mut sources: Vec<Source> = (0..inputs.width as u32).map(Source::Slot).collect();
     sources[0] = Source::Uniform(1);
     let output = inputs.width as u32;
-    placed(case.code.wide, case, inputs, &sources, inputs.width + case.outputs.len(), output)
+    placed(
+        |lanes, placement| case.code.wide(lanes, placement),
+        case,
+        inputs,
+        &sources,
+        inputs.width + case.outputs.len(),
+        output,
+    )
 }
 
 fn placed(

@@ -134,7 +134,7 @@ fn a_source_outside_the_file_is_refused() {
                 sources: &sources,
                 output,
             };
-            (case.code.wide)(&mut file, &placement);
+            case.code.wide(&mut file, &placement);
         });
         assert!(outcome.is_err(), "{sources:?} {output}");
     }

@@ -6,7 +6,7 @@ use phenomenon_compiler::ops::{Op, OpSegment, Tape, legalise};
 
 fn recorded(code: &BodyForms, inputs: u32, tape: Tape) -> OpSegment {
     let loads: Vec<u32> = (0..inputs).map(|n| tape.push(Op::Load(n))).collect();
-    let mut outputs = vec![0; code.outputs];
+    let mut outputs = vec![0; code.outputs()];
     code.record_anew(&tape, &loads, &mut outputs);
     OpSegment { ops: tape.into_ops(), stores: (0..).zip(outputs).collect(), ..OpSegment::default() }
 }
@@ -14,7 +14,7 @@ fn recorded(code: &BodyForms, inputs: u32, tape: Tape) -> OpSegment {
 fn replayed(code: &BodyForms, inputs: u32) -> OpSegment {
     let tape = Tape::standard();
     let loads: Vec<u32> = (0..inputs).map(|n| tape.push(Op::Load(n))).collect();
-    let mut outputs = vec![0; code.outputs];
+    let mut outputs = vec![0; code.outputs()];
     code.record(&tape, &loads, &mut outputs);
     OpSegment { ops: tape.into_ops(), stores: (0..).zip(outputs).collect(), ..OpSegment::default() }
 }

@@ -34,7 +34,7 @@ pub fn reached(code: &BodyForms, inputs: &[Value], sets: &[Word]) -> Vec<Option<
                 .map_or(0, |rank| trial / levels.pow((rank % INDEPENDENT) as u32) % levels);
             *word = input.level(digit);
         }
-        (code.scalar)(&point, &mut outputs);
+        code.scalar(&point, &mut outputs);
         for (at, set) in sets.iter().enumerate() {
             match number(set, outputs[at]) {
                 Some(x) if known[at] => include(&mut found[at], x),

@@ -4,7 +4,7 @@ use cranelift_entity::{EntityRef, PrimaryMap};
 
 use crate::effects::Effect;
 use crate::engine::options::Simd;
-use crate::kernels::BodyForms;
+use crate::kernels::{BodyForms, NativePoint};
 use crate::specialise::{
     Context, EpochId, Instance, InstanceId, InstanceKind, LightTableId, Specialised, Subject, Turns,
 };
@@ -62,7 +62,7 @@ pub(super) enum Kind {
 /// A body in the form that is run.
 #[derive(Debug)]
 pub(super) enum Body {
-    Native(fn(&[u32], &mut [u32])),
+    Native(NativePoint),
     Portable(Box<BodyForms>),
 }
 
@@ -229,9 +229,9 @@ impl Code {
     }
 
     fn body(&self, forms: &BodyForms) -> Body {
-        match self.simd {
-            Simd::Native => Body::Native(forms.scalar),
-            Simd::Portable => Body::Portable(Box::new(*forms)),
+        match forms.native_scalar() {
+            Some(native) if self.simd == Simd::Native => Body::Native(native),
+            _ => Body::Portable(Box::new(*forms)),
         }
     }
 

@@ -134,7 +134,7 @@ impl Walk<'_> {
         }
         let outputs = &mut words[at..at + outputs];
         match body {
-            Body::Native(body) => body(inputs, outputs),
+            Body::Native(body) => body.run(inputs, outputs),
             Body::Portable(forms) => forms.scalar_portable(inputs, outputs),
         }
     }

@@ -22,7 +22,7 @@ mod tests {
         let code = definition.overloads[0].code.expect("it has a body");
         let words = [0x8000_0000, 1, 0x7f80_0000, 0x3f80_0000];
         let mut color = [0; 4];
-        (code.scalar)(&words, &mut color);
+        code.scalar(&words, &mut color);
         assert_eq!(color, words);
         assert_eq!(numbers!( => color), [0.0; 4]);
     }

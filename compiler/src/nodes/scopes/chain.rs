@@ -41,7 +41,7 @@ mod tests {
         let mut inputs = first.clone();
         inputs.resize(8, 0);
         let mut incoming = [0; 4];
-        (code.scalar)(&inputs, &mut incoming);
+        code.scalar(&inputs, &mut incoming);
         assert_eq!(incoming.as_slice(), first);
     }
 }

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use crate::effects::{Asked, Effect, LightList, Renderer};
 use crate::graph::Binding;
+use crate::kernels::BodyForms;
 use crate::nodes::{DefaultValue, Kind, Output};
 use crate::specialise::mix_key;
 use crate::state::{Field, State};
@@ -239,12 +240,17 @@ impl Evaluation<'_> {
             .iter()
             .map(|input| naive.value_type(of, input.value_type).width())
             .collect();
+        let fixed: Vec<usize> = definition.fixed_words(overload).map(|(_, word)| word).collect();
+        let settled = |code: BodyForms, words: &[u32]| {
+            let known: Vec<_> = fixed.iter().map(|&word| (word, words[word] as i32)).collect();
+            code.with_fixed(&known)
+        };
         let mut words = vec![0; widths.iter().sum()];
         let mut first = 0;
         for (input, declared) in definition.signature.inputs.iter().enumerate() {
             let holds = overload.guards[input].is_none_or(|guard| {
                 let mut outcome = [0];
-                (guard.scalar)(&words, &mut outcome);
+                settled(guard, &words).scalar(&words, &mut outcome);
                 outcome[0] != 0
             });
             if holds && !declared.scoped && !declared.value_type.is_in_code() {
@@ -254,8 +260,9 @@ impl Evaluation<'_> {
             first += widths[input];
         }
         let code = overload.code.expect("plain nodes and scopes have bodies");
+        let code = settled(code, &words);
         let mut outputs = vec![0; code.outputs];
-        (code.scalar)(&words, &mut outputs);
+        code.scalar(&words, &mut outputs);
         Ok(outputs)
     }
 
