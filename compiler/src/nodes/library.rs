@@ -38,9 +38,18 @@ impl Definition {
     /// generic inputs.
     pub fn without_body(signature: Signature) -> Self {
         let guards = vec![None; signature.inputs.len()];
-        let overload = |generic| Overload { generic, code: None, guards: guards.clone() };
+        Self::with_code(signature, None, guards)
+    }
+
+    /// A node whose code reads no generic input, and so is the same in the forms for all types.
+    pub fn with_code(
+        signature: Signature,
+        code: Option<BodyForms>,
+        guards: Vec<Option<BodyForms>>,
+    ) -> Self {
+        let overload = |generic| Overload { generic, code, guards: guards.clone() };
         let overloads = if signature.is_generic() {
-            [Type::Scalar, Type::Vector, Type::Color].map(|known| overload(Some(known))).into()
+            Type::GENERIC.map(|known| overload(Some(known))).into()
         } else {
             vec![overload(None)]
         };

@@ -33,12 +33,13 @@
 /// **Kinds**, after the group's name:
 ///
 /// * none: the body yields `Outputs`;
-/// * `generic`: the same, over `T: Components<E::Real>` for scalar, vector and color inputs;
+/// * `generic`: the same, over `T: Components<E::Real>` for scalar, vector and color inputs, or for
+///   those in brackets: `generic [vector, color]`;
 /// * `per component`: the body yields the one output's component from the inputs' components. The
 ///   first input is generic, and of a colour its alpha passes unchanged: bodies never see alpha;
 /// * `request Effect`: asks the renderer, and has no body;
 /// * `scope [Field, …]`: the body yields `Changes`, one for each field in order, and the input under
-///   `scoped` is evaluated under them;
+///   `scoped`, of any type or generic, is evaluated under them;
 /// * `structural [Kind]`: the engines or the checker know what to do, and there is no body.
 ///
 /// **Annotations** of an input, in any order: `in RANGE`, `avoid zero` or `avoid negative` (taken,
@@ -69,6 +70,57 @@
 /// }
 /// ```
 ///
+/// A list of types has those that `generic` may stand for, and the body of a scope sees no generic
+/// input:
+///
+/// ```compile_fail
+/// mod twofold {
+///     use phenomenon_compiler::node;
+///
+///     node! {
+///         /// Twice a value.
+///         twofold in arithmetic generic [scalar, integer],
+///         source "",
+///         inputs {
+///             /// What is doubled.
+///             input: generic = 1.0;
+///         }
+///         outputs {
+///             /// Its double.
+///             result: generic;
+///         }
+///         body |e, i| Outputs { result: i.input + i.input }
+///     }
+/// }
+/// ```
+///
+/// ```compile_fail
+/// mod later {
+///     use phenomenon_compiler::node;
+///     use phenomenon_compiler::nodes::BLACK;
+///
+///     node! {
+///         /// Evaluates `input` at another time.
+///         later in scopes scope [Time],
+///         source "",
+///         inputs {
+///             /// The time.
+///             time: generic = 1.0;
+///         }
+///         scoped {
+///             /// What is evaluated.
+///             input: color = BLACK;
+///         }
+///         changes { time: scalar; }
+///         outputs {
+///             /// The value.
+///             color: color;
+///         }
+///         body |e, i| Changes { time: i.time.x }
+///     }
+/// }
+/// ```
+///
 /// **Known before shading** are inputs of the types `count` and `choice`: plain `i32`s to the body, in
 /// their range. A literal or a parameter gives them, and another value is other code, so a body may
 /// loop over a count and match on a choice.
@@ -88,7 +140,7 @@ macro_rules! node {
         outputs { $($(#[doc = $odoc:literal])+ $output:ident : $otype:ident $(, $oword:ident $($ovalue:expr)?)*;)+ }
         $(body |$e:ident, $i:ident| $body:expr)?
     ) => {
-        $crate::node!(@code [$($kind)*] [$($e $i $body)?]
+        $crate::node!(@code [$($kind)*] [$($($of)+)?] [$($e $i $body)?]
             [$($input : $itype [$($iword [$($ivalue)?])*];)*] [$($scoped)?]
             [$($($change : $ctype;)+)?] [$($output : $otype;)+]);
 
@@ -111,44 +163,45 @@ macro_rules! node {
     };
 
     // ---- kinds: what each has for code, which is `define`
-    (@code [request $effect:ident] $($rest:tt)*) => { $crate::node!(@bodiless $($rest)*); };
-    (@code [structural] $($rest:tt)*) => { $crate::node!(@bodiless $($rest)*); };
+    (@code [request $effect:ident] [] $($rest:tt)*) => { $crate::node!(@bodiless $($rest)*); };
+    (@code [structural] $kind:tt $($rest:tt)*) => { $crate::node!(@bodiless $($rest)*); };
     (@bodiless [] $($rest:tt)*) => {
         fn define(signature: $crate::nodes::Signature) -> $crate::nodes::Definition {
             $crate::nodes::Definition::without_body(signature)
         }
     };
-    (@code [] [$e:ident $i:ident $body:expr] $inputs:tt [] [] $outputs:tt) => {
+    (@code [] [] [$e:ident $i:ident $body:expr] $inputs:tt [] [] $outputs:tt) => {
         $crate::node!(@structure Inputs "What arrives at the node." $inputs);
         $crate::node!(@structure Outputs "What the node yields." $outputs);
         $crate::node!(@function body plain $e $i Outputs<E>, $body);
         $crate::node!(@run [] $crate::nodes::ports::scalar, $inputs $outputs);
         $crate::node!(@plain $e $i $inputs);
     };
-    (@code [scope] [$e:ident $i:ident $body:expr] $inputs:tt [$scoped:ident] $changes:tt $outputs:tt) => {
+    (@code [scope] $fields:tt [$e:ident $i:ident $body:expr] $inputs:tt [$scoped:ident] $changes:tt $outputs:tt) => {
         $crate::node!(@structure Inputs "What arrives at the node." $inputs);
+        $crate::node!(@known_types $inputs);
         $crate::node!(@structure Changes "What the scope changes." $changes);
         $crate::node!(@function body plain $e $i Changes<E>, $body);
         $crate::node!(@run [] $crate::nodes::ports::scalar, $inputs $changes);
         $crate::node!(@plain $e $i $inputs);
     };
-    (@code [generic] [$e:ident $i:ident $body:expr] $inputs:tt [] [] $outputs:tt) => {
+    (@code [generic] $types:tt [$e:ident $i:ident $body:expr] $inputs:tt [] [] $outputs:tt) => {
         $crate::node!(@structure Inputs "What arrives at the node." $inputs);
         $crate::node!(@structure Outputs "What the node yields." $outputs);
         $crate::node!(@function body generic $e $i Outputs<E, T>, $body);
         $crate::node!(@run [S: $crate::nodes::ports::Shape] S, $inputs $outputs);
-        $crate::node!(@generic $e $i $inputs false);
+        $crate::node!(@generic $e $i $inputs false $types);
     };
-    (@code [per component] [$e:ident $i:ident $body:expr] $inputs:tt [] [] [$output:ident : generic;]) => {
+    (@code [per component] [] [$e:ident $i:ident $body:expr] $inputs:tt [] [] [$output:ident : generic;]) => {
         $crate::node!(@structure Inputs "What arrives at the node." $inputs);
         $crate::node!(@function component component $e $i E::Real, $body);
         $crate::node!(@run_components $inputs $inputs);
-        $crate::node!(@generic $e $i $inputs true);
+        $crate::node!(@generic $e $i $inputs true []);
     };
     (@code [$($kind:ident)*] $($rest:tt)*) => {
         compile_error!(concat!(
-            "no node is of the kind `", stringify!($($kind)*), "` with these parts: there are none, `generic` \
-             and `per component` (one generic output) with a body, `scope [FIELD, …]` with scoped input, \
+            "no node is of the kind `", stringify!($($kind)*), "` with these parts: there are none, `generic`, \
+             `generic [TYPE, …]` and `per component` (one generic output) with a body, `scope [FIELD, …]` with scoped input, \
              changes and a body, and `request EFFECT` and `structural [KIND]` without one"
         ));
     };
@@ -160,11 +213,10 @@ macro_rules! node {
             // A scoped input stands last, and has none.
             guards.resize(signature.inputs.len(), None);
             let code = Some($crate::kernels::BodyForms::of::<NodeBody<$crate::nodes::ports::scalar>>());
-            let overloads = vec![$crate::nodes::Overload { generic: None, code, guards }];
-            $crate::nodes::Definition { signature, overloads, per_component: false }
+            $crate::nodes::Definition::with_code(signature, code, guards)
         }
     };
-    (@generic $e:ident $i:ident $inputs:tt $per_component:literal) => {
+    (@generic $e:ident $i:ident $inputs:tt $per_component:literal $types:tt) => {
         fn overload<S: $crate::nodes::ports::Shape>() -> $crate::nodes::Overload {
             $crate::nodes::Overload {
                 generic: Some(S::TYPE),
@@ -174,11 +226,20 @@ macro_rules! node {
         }
 
         fn define(signature: $crate::nodes::Signature) -> $crate::nodes::Definition {
-            use $crate::nodes::ports::{color, scalar, vector};
-            let overloads = vec![overload::<scalar>(), overload::<vector>(), overload::<color>()];
+            let overloads = $crate::node!(@overloads $types);
             $crate::nodes::Definition { signature, overloads, per_component: $per_component }
         }
     };
+
+    (@overloads []) => { $crate::node!(@overloads [scalar, vector, color]) };
+    (@overloads [$($type:ident),+]) => { vec![$(overload::<$crate::nodes::ports::$type>()),+] };
+    (@known_types [$($input:ident : $itype:ident $annotations:tt;)*]) => { $($crate::node!(@known_type $itype);)* };
+    (@known_type generic) => {
+        compile_error!(
+            "the body of a scope is the same for all types, so only what is scoped, and the output, are generic"
+        );
+    };
+    (@known_type $known:ident) => {};
 
     // ---- code
     (@structure $structure:ident $doc:literal [$($field:ident : $type:ident $([$($annotation:tt)*])?;)*]) => {
@@ -276,7 +337,7 @@ macro_rules! node {
 
     // ---- signature
     (@kind [] []) => { $crate::nodes::Kind::Plain };
-    (@kind [generic] []) => { $crate::nodes::Kind::Plain };
+    (@kind [generic] [$($type:ident),*]) => { $crate::nodes::Kind::Plain };
     (@kind [per component] []) => { $crate::nodes::Kind::Plain };
     (@kind [request $effect:ident] []) => { $crate::nodes::Kind::Request($crate::effects::Effect::$effect) };
     (@kind [scope] [$($field:ident),+]) => { $crate::nodes::Kind::Scope(vec![$($crate::state::Field::$field),+]) };

@@ -40,6 +40,10 @@ pub trait Computed: Port {
 }
 
 /// What `generic` may stand for.
+#[diagnostic::on_unimplemented(
+    message = "`generic` does not stand for `{Self}`",
+    note = "it stands for scalar, vector and color"
+)]
 pub trait Shape: Computed {
     /// Components that are computed: alpha is not.
     const COMPONENTS: usize;
@@ -265,7 +269,7 @@ mod tests {
             inputs[at] = word;
         }
         let mut outputs = vec![0; code.outputs];
-        (code.scalar)(&inputs, &mut outputs);
+        code.scalar(&inputs, &mut outputs);
         let expected = [
             &inputs[10..26],
             &inputs[6..10],

@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::ops::RangeInclusive;
 
 use crate::state::Iterated;
+use crate::values::Type;
 
 use super::{Avoid, DefaultValue, Definition, FINITE, Kind, NOT_NEGATIVE, NodeLibrary, Signature};
 
@@ -30,7 +31,7 @@ pub fn reference(library: &NodeLibrary) -> String {
 fn write_node(page: &mut String, definition: &Definition) {
     let signature = &definition.signature;
     let _ = write!(page, "\n### {}\n\n{}\n", signature.name, signature.doc);
-    let _ = write!(page, "{}", kind(signature));
+    let _ = write!(page, "{}{}", kind(signature), types(definition));
     if !signature.inputs.is_empty() {
         page.push_str(
             "\n| input | type | default | range | meaning |\n| --- | --- | --- | --- | --- |\n",
@@ -96,6 +97,16 @@ fn kind(signature: &Signature) -> String {
         }
         Kind::Plain | Kind::Fields(_) => String::new(),
     }
+}
+
+/// What `generic` stands for, where that is not every type it may stand for.
+fn types(definition: &Definition) -> String {
+    let types: Vec<&str> =
+        definition.overloads.iter().filter_map(|form| Some(form.generic?.name())).collect();
+    if types.is_empty() || types.len() == Type::GENERIC.len() {
+        return String::new();
+    }
+    format!("\nIts values are of the types {} only.\n", types.join(" and "))
 }
 
 fn cell(text: &str) -> String {

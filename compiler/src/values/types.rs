@@ -57,6 +57,9 @@ impl Type {
         }
     }
 
+    /// What [`Type::Generic`] may stand for.
+    pub const GENERIC: [Type; 3] = [Type::Scalar, Type::Vector, Type::Color];
+
     /// The name in graph files.
     pub const fn name(self) -> &'static str {
         match self {

@@ -1,6 +1,7 @@
 //! Nodes of another crate: one of each kind that the standard library has few of or none, in a group of
 //! their own.
 
+pub mod either;
 pub mod loops;
 pub mod posterize;
 pub mod requests;
@@ -24,6 +25,7 @@ fn definitions() -> Vec<Definition> {
     let fields = Iterated::Samples.provides().map(|field| (field.name(), field));
     let mut all = vec![
         posterize::definition(),
+        either::definition(),
         twice::definition(),
         Definition::of_fields("sample", "The sample of the loop round it.", fields),
     ];

@@ -1,5 +1,5 @@
 //! Scopes over fields that no standard scope changes, so that every field a ray can carry is changed by
-//! some scope.
+//! some scope; and over values of other types than colours.
 
 use phenomenon_compiler::nodes::Definition;
 
@@ -42,11 +42,11 @@ pub mod flip {
     use std::ops::Not;
 
     use phenomenon_compiler::node;
-    use phenomenon_compiler::nodes::{BLACK, state};
+    use phenomenon_compiler::nodes::state;
     use phenomenon_compiler::state::Field;
 
     node! {
-        /// Evaluates `input` as if the surface were hit from the other side.
+        /// Whether `input` holds as if the surface were hit from the other side.
         flip in foreign scope [InvNormal],
         source "",
         inputs {
@@ -55,12 +55,12 @@ pub mod flip {
         }
         scoped {
             /// What is evaluated.
-            input: color = BLACK;
+            input: boolean = false;
         }
         changes { inv_normal: boolean; }
         outputs {
-            /// The value of `input`.
-            color: color;
+            /// Whether it holds there.
+            truth: boolean;
         }
         body |e, i| Changes { inv_normal: i.inside.not() }
     }
@@ -69,7 +69,7 @@ pub mod flip {
 /// The node `turn`.
 pub mod turn {
     use phenomenon_compiler::node;
-    use phenomenon_compiler::nodes::{BLACK, state};
+    use phenomenon_compiler::nodes::state;
     use phenomenon_compiler::state::Field;
 
     node! {
@@ -84,12 +84,12 @@ pub mod turn {
         }
         scoped {
             /// What is evaluated.
-            input: color = BLACK;
+            input: generic = 0.0;
         }
         changes { direction: vector; time: scalar; }
         outputs {
             /// The value of `input`.
-            color: color;
+            value: generic;
         }
         body |e, i| Changes { direction: i.direction, time: i.time }
     }

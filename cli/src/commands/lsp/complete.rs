@@ -85,7 +85,7 @@ impl Place<'_> {
             ["nodes", _, "type"] => {
                 let signatures = self.library.iter().map(|(_, definition)| &definition.signature);
                 let kind = CompletionItemKind::CLASS;
-                signatures.map(|it| offers.word(&it.name, kind, &it.group, &it.doc)).collect()
+                signatures.map(|it| offers.word(&it.name, kind, it.group, &it.doc)).collect()
             }
             ["nodes" | "roots", .., "node"] => {
                 let of =
