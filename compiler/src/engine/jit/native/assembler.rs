@@ -361,7 +361,7 @@ mod tests {
             assembler.next_block_or_return(start, 0x340);
         });
         let expected = "vmovmskps eax,ymm10; test eax,eax; je 0000000000000011h; \
-             vaddps ymm0,ymm1,ymm2; add rsi,340h; dec r8; jne 0000000000000000h; vzeroupper; ret";
+             vaddps ymm0,ymm1,ymm2; add rsi,340h; dec r8; jne 0; vzeroupper; ret";
         assert_eq!(read, expected);
     }
 }
