@@ -53,6 +53,7 @@ fn worst(
     let sources = [Source::Slot(0), Source::Slot(1)];
     let placement = Placement {
         shape: FileShape { uniforms: 0, slots: 3 },
+        first: 0,
         blocks: BLOCKS,
         sources: &sources,
         output: 2,

@@ -16,4 +16,6 @@ pub struct Flags<'a> {
     pub stage: Option<&'a Path>,
     /// `--allow`.
     pub allow: &'a [Code],
+    /// `--stats`: whether evaluations of nodes are counted.
+    pub count: bool,
 }

@@ -1,12 +1,13 @@
 //! Reading a scene, or a graph and the scene it is shown in.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::document::{Document, all_mistakes};
-use phenomenon_compiler::engine::Shader;
+use phenomenon_compiler::engine::{Evaluations, Options, Shader};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::link::{
@@ -41,6 +42,15 @@ impl Picture {
     /// Time spent compiling, in milliseconds.
     pub fn compile_milliseconds(&self) -> f64 {
         self.shaders.iter().map(|shader| shader.compile_milliseconds()).sum()
+    }
+
+    /// Evaluations of nodes by each engine, if they were counted; a monolith has no nodes.
+    pub fn evaluations(&self) -> BTreeMap<&'static str, Evaluations> {
+        let mut evaluations: BTreeMap<_, Evaluations> = BTreeMap::new();
+        for (engine, count) in self.shaders.iter().flat_map(|shader| shader.evaluations()) {
+            *evaluations.entry(engine).or_default() += count;
+        }
+        evaluations
     }
 
     /// Points shaded by each engine; `all` is their number, which a monolith does not count itself.
@@ -97,7 +107,9 @@ pub fn load(
     let linker = Linker {
         library,
         shading: match engine.engine.compiled() {
-            Some(compiled) => Shading::Compiled(engine.options(compiled)),
+            Some(compiled) => {
+                Shading::Compiled(Options { count: flags.count, ..engine.options(compiled) })
+            }
             None => Shading::ByHand,
         },
         subject: subject.as_ref(),

@@ -104,6 +104,10 @@ fn a_scene_brings_its_own_options() {
     assert_eq!(stats["rays"]["eye"], 72);
     assert_eq!(stats["points"]["walk"], 0);
     assert!(stats["points"]["batch"].as_u64() > Some(0), "{stats}");
+    let evaluations = &stats["evaluations"];
+    assert_eq!(evaluations["walk"], serde_json::json!({ "wanted": 0, "done": 0 }));
+    let [wanted, done] = ["wanted", "done"].map(|of| evaluations["batch"][of].as_u64().unwrap());
+    assert!(0 < wanted && wanted <= done, "{stats}");
     for part in ["check", "compile", "render"] {
         assert!(stats["milliseconds"][part].as_f64() >= Some(0.0), "{stats}");
     }

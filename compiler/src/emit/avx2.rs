@@ -350,7 +350,7 @@ pub fn run<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
         return;
     }
     assert!(count <= MOST_INPUTS, "a body has more input words than a kernel takes");
-    let last = placement.blocks - 1;
+    let last = placement.first + placement.blocks - 1;
     let mut origins = [const { MaybeUninit::<Origin>::uninit() }; MOST_INPUTS];
     for (origin, &source) in origins.iter_mut().zip(placement.sources) {
         let (first, step) = match source {
@@ -366,7 +366,7 @@ pub fn run<B: Body>(lanes: &mut [Lanes], placement: &Placement<'_>) {
     assert!(end <= lanes.len(), "the outputs lie outside the file");
 
     let file = lanes.as_mut_ptr().cast::<__m256>();
-    for block in 0..placement.blocks {
+    for block in placement.range() {
         let inputs = Inputs { file, origins, block };
         // SAFETY: the last block's outputs end within the file, and this block is not after it.
         let first = unsafe { file.add(placement.output(0, block)) };

@@ -1,5 +1,6 @@
 //! The engines: walk, batch and jit, behind one trait that hand-written shaders share.
 
+mod evaluations;
 pub mod execute;
 pub mod jit;
 mod links;
@@ -12,6 +13,7 @@ mod shader;
 mod turns;
 pub mod walk;
 
+pub use evaluations::Evaluations;
 pub use links::Links;
 pub use options::{Engine, Options, Simd};
 pub use runner::Runner;

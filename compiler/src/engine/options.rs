@@ -43,6 +43,9 @@ pub struct Options {
     /// Whether a root that looks at the ray type is compiled only for [`RootKind::ray_types`]; points of
     /// other types may not be shaded then.
     pub called_rays_only: bool,
+    /// Whether evaluations of nodes are counted; see [`Shader::evaluations`](crate::engine::Shader::evaluations).
+    /// Takes time.
+    pub count: bool,
 }
 
 impl Default for Options {
@@ -54,6 +57,7 @@ impl Default for Options {
             batch: 256,
             roots: &RootKind::ALL,
             called_rays_only: false,
+            count: false,
         }
     }
 }

@@ -12,11 +12,12 @@ use crate::specialise::{InstanceKind, SpecialiseError, Specialised, Uniforms, ex
 use crate::state::{RayType, State};
 use crate::values::{Literal, Texture};
 
+use super::evaluations::Evaluations;
 use super::execute::Program;
 use super::jit::{Generator, JitError, Pieces, Plan, worker};
 use super::links::{FirstLinks, Links};
 use super::memory::with_memory;
-use super::options::{Engine, Options, Simd};
+use super::options::{Engine, Options};
 use super::runner::Runner;
 use super::shade::{Shade, Shaded};
 use super::walk;
@@ -47,12 +48,20 @@ pub struct Shader {
     counts: Counts,
 }
 
-/// Points shaded, by engine.
+/// What engines did.
 #[derive(Debug, Default)]
 struct Counts {
-    walk: AtomicU64,
-    batch: AtomicU64,
-    jit: AtomicU64,
+    walk: Count,
+    batch: Count,
+    jit: Count,
+}
+
+/// What one engine did.
+#[derive(Debug, Default)]
+struct Count {
+    points: AtomicU64,
+    wanted: AtomicU64,
+    done: AtomicU64,
 }
 
 /// One root for one ray type, or for all if it does not look at the ray type.
@@ -132,7 +141,17 @@ impl Shader {
 
     /// Points shaded so far, by the engine that shaded them.
     pub fn points(&self) -> [(&'static str, u64); 3] {
-        let count = |of: &AtomicU64| of.load(Ordering::Relaxed);
+        let count = |of: &Count| of.points.load(Ordering::Relaxed);
+        let Counts { walk, batch, jit } = &self.counts;
+        [("walk", count(walk)), ("batch", count(batch)), ("jit", count(jit))]
+    }
+
+    /// Evaluations of nodes so far, by engine, if [`Options::count`] asked for that; else none.
+    pub fn evaluations(&self) -> [(&'static str, Evaluations); 3] {
+        let count = |of: &Count| Evaluations {
+            wanted: of.wanted.load(Ordering::Relaxed),
+            done: of.done.load(Ordering::Relaxed),
+        };
         let Counts { walk, batch, jit } = &self.counts;
         [("walk", count(walk)), ("batch", count(batch)), ("jit", count(jit))]
     }
@@ -146,7 +165,7 @@ impl Shader {
     pub fn print_pieces(&self) -> String {
         let Options { batch, generator, .. } = self.options;
         let generator = generator.unwrap_or(Generator::Native);
-        self.print_with(|schedule| Pieces::of(schedule, batch, generator).to_string())
+        self.print_with(|schedule| Pieces::of(schedule, batch, generator, &[]).to_string())
     }
 
     fn print_with(&self, text: impl Fn(&Schedule) -> String) -> String {
@@ -202,12 +221,12 @@ impl Shader {
     /// Compiles machine code while kernels run already, unless the program is gone when its turn
     /// comes. A plan that fails leaves the kernels running: same bits.
     fn plan_in_background(&self, generator: Generator) {
-        let Options { simd, batch, .. } = self.options;
+        let options = self.options;
         for program in &self.programs {
             let code = Arc::downgrade(&program.code);
             worker::enqueue(move || {
                 if let Some(code) = code.upgrade() {
-                    code.plan.get_or_init(|| code.plan(simd, batch, generator).ok().flatten());
+                    code.plan.get_or_init(|| code.plan(options, generator).ok().flatten());
                 }
             });
         }
@@ -227,8 +246,8 @@ impl Shader {
         let code = Arc::new(RootCode { specialised, walk, schedule, plan: OnceLock::new() });
         match engine {
             Engine::Jit => {
-                let Options { simd, batch, generator, .. } = self.options;
-                if let Some(plan) = code.plan(simd, batch, Generator::chosen(generator)?)? {
+                let generator = Generator::chosen(self.options.generator)?;
+                if let Some(plan) = code.plan(self.options, generator)? {
                     // Nobody else holds this code yet, so the lock is empty.
                     let _ = code.plan.set(Some(plan));
                 }
@@ -245,15 +264,23 @@ impl Shader {
     }
 }
 
+impl Count {
+    fn add(&self, points: usize, evaluations: Option<Evaluations>) {
+        self.points.fetch_add(points as u64, Ordering::Relaxed);
+        if let Some(Evaluations { wanted, done }) = evaluations {
+            self.wanted.fetch_add(wanted, Ordering::Relaxed);
+            self.done.fetch_add(done, Ordering::Relaxed);
+        }
+    }
+}
+
 impl RootCode {
-    fn plan(
-        &self,
-        simd: Simd,
-        batch: usize,
-        generator: Generator,
-    ) -> Result<Option<Plan>, JitError> {
+    fn plan(&self, options: Options, generator: Generator) -> Result<Option<Plan>, JitError> {
+        let Options { simd, batch, count, .. } = options;
         let uniforms = self.specialised.uniforms.values().len();
-        let plan = |schedule| Plan::new(schedule, uniforms, simd, batch, generator);
+        // Who wants what is found from the words of guards.
+        let kept = if count { self.specialised.guard_words() } else { Vec::new() };
+        let plan = |schedule| Plan::new(schedule, uniforms, simd, batch, generator, &kept);
         self.schedule.as_ref().map(plan).transpose()
     }
 }
@@ -303,22 +330,25 @@ impl Shade for Shader {
             results.fill(Shaded::default());
             return;
         };
-        let RootCode { walk, schedule, plan, .. } = &*program.code;
+        let RootCode { walk, schedule, plan, specialised } = &*program.code;
         let uniforms = program.uniforms.values();
         let links = links.from(program.links);
+        let Options { simd, batch, count, .. } = self.options;
         if let Some(walk) = walk {
-            self.counts.walk.fetch_add(points.len() as u64, Ordering::Relaxed);
-            with_memory(|memory| {
-                walk.run(uniforms, points, links, renderer, results, &mut memory.walk);
+            let evaluations = with_memory(|memory| {
+                walk.run(uniforms, points, links, renderer, results, &mut memory.walk)
             });
+            self.counts.walk.add(points.len(), count.then_some(evaluations));
         }
         let Some(schedule) = schedule else { return };
-        let (runner, count) = match plan.get() {
+        let (runner, counts) = match plan.get() {
             Some(Some(plan)) => (Runner::Jit(plan), &self.counts.jit),
-            _ => (Runner::Kernels(self.options.simd), &self.counts.batch),
+            _ => (Runner::Kernels(simd), &self.counts.batch),
         };
-        count.fetch_add(points.len() as u64, Ordering::Relaxed);
-        let program = Program { schedule, uniforms, runner, batch: self.options.batch };
-        with_memory(|memory| program.run(points, links, renderer, results, &mut memory.batch));
+        let counted = count.then_some(specialised);
+        let program = Program { schedule, uniforms, runner, batch, counted };
+        let evaluations =
+            with_memory(|memory| program.run(points, links, renderer, results, &mut memory.batch));
+        counts.add(points.len(), count.then_some(evaluations));
     }
 }

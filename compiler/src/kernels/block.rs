@@ -13,7 +13,7 @@ use crate::storage::{LANES, Lanes, Placement};
 /// outputs are written.
 pub fn run(recorded: &Recorded, lanes: &mut [Lanes], placement: &Placement<'_>) {
     WORDS.with_borrow_mut(|words| {
-        for block in 0..placement.blocks {
+        for block in placement.range() {
             words.clear();
             for &op in &recorded.ops {
                 let word = apply(op, Eights, &Block { lanes, placement, block, words });

@@ -6,8 +6,10 @@ use cranelift_entity::{EntitySet, PrimaryMap, SecondaryMap};
 use crate::specialise::{EpochId, Instance, InstanceId, InstanceKind, Specialised, Subject, Turns};
 use crate::storage::Source;
 
+use super::pure::{Pure, PureByLoop};
 use super::{
     Item, Loop, LoopId, Region, RegionId, Request, RequestId, Schedule, Segment, SegmentId, Step,
+    verify,
 };
 
 /// Schedules a specialised graph.
@@ -29,12 +31,13 @@ pub fn schedule(graph: &Specialised) -> Schedule {
     };
     builder.list_loops();
     let pure = builder.pure_by_loop(&reachable);
+    let mut pure = Pure::of(graph, &pure, &effectful, &mut builder.slots);
     for (region, head) in &homes.heads {
-        let filled = builder.region(region, head, &pure);
+        let filled = builder.region(region, head, &mut pure);
         builder.regions.push(filled);
     }
     let root = graph.instances[graph.root()].output;
-    Schedule {
+    let schedule = Schedule {
         regions: builder.regions,
         segments: builder.segments,
         requests: builder.requests,
@@ -43,7 +46,13 @@ pub fn schedule(graph: &Specialised) -> Schedule {
         slots: builder.slots,
         root,
         tables: graph.tables.clone(),
+    };
+    if cfg!(debug_assertions)
+        && let Err(what) = verify(&schedule)
+    {
+        panic!("after schedule: {what}");
     }
+    schedule
 }
 
 /// Everything an instance may demand, the body of a loop included.
@@ -155,9 +164,6 @@ fn homes(graph: &Specialised, effectful: &EntitySet<InstanceId>) -> Homes {
     homes
 }
 
-/// See [`Builder::pure_by_loop`].
-type PureByLoop = SecondaryMap<EpochId, Vec<InstanceId>>;
-
 struct Builder<'a> {
     graph: &'a Specialised,
     effectful: &'a EntitySet<InstanceId>,
@@ -248,7 +254,7 @@ impl Builder<'_> {
     }
 
     /// Fills one region.
-    fn region(&mut self, region: RegionId, head: &Head, pure: &PureByLoop) -> Region {
+    fn region(&mut self, region: RegionId, head: &Head, pure: &mut Pure<'_>) -> Region {
         let mut open = Open { items: Vec::new(), pending: Segment::default(), stack: Vec::new() };
         let (name, prologue) = match head {
             Head::Instance(id) => {
@@ -274,22 +280,29 @@ impl Builder<'_> {
             }
         };
         let forced_first = std::mem::take(&mut open.items);
-        for &id in prologue.map_or(&[][..], |of| &pure[of]) {
-            self.evaluate(&mut open, id);
+        if let Some(of) = prologue {
+            open.pending.steps = std::mem::take(&mut pure.steps[of]);
         }
         if !forced_first.is_empty() {
             self.flush(&mut open);
             open.items.extend(forced_first);
         }
         while let Some((id, next)) = open.stack.pop() {
-            self.visit(region, &mut open, id, next);
+            self.visit(region, &mut open, id, next, pure);
         }
         self.flush(&mut open);
         Region { name, items: open.items }
     }
 
     /// Goes on with an effectful instance of this region: what it demands first, then itself.
-    fn visit(&mut self, region: RegionId, open: &mut Open, id: InstanceId, mut next: usize) {
+    fn visit(
+        &mut self,
+        region: RegionId,
+        open: &mut Open,
+        id: InstanceId,
+        mut next: usize,
+        pure: &Pure<'_>,
+    ) {
         let graph = self.graph;
         let instance = &graph.instances[id];
         while let Some(demand) = instance.demands.get(next) {
@@ -306,17 +319,14 @@ impl Builder<'_> {
                 }
             } else if let Some(forced) = home {
                 let guard = demand.guard.as_ref().map(|guard| {
+                    if let Some(known) = pure.guard(id, guard) {
+                        return Source::Slot(known);
+                    }
                     let output = self.slots;
                     self.slots += 1;
-                    open.pending.steps.push(Step {
-                        name: format!(
-                            "{} demands {}",
-                            instance.name, graph.instances[demand.source].name
-                        ),
-                        code: guard.code,
-                        words: guard.words.clone(),
-                        output,
-                    });
+                    let demanded = &graph.instances[demand.source].name;
+                    let step = Step::of_guard(guard, &instance.name, demanded, output);
+                    open.pending.steps.push(step);
                     Source::Slot(output)
                 });
                 self.flush(open);
@@ -325,7 +335,7 @@ impl Builder<'_> {
         }
         self.emitted.insert(id);
         match &instance.kind {
-            InstanceKind::Plain(_) => self.evaluate(open, id),
+            InstanceKind::Plain(_) => open.pending.steps.extend(Step::of(instance)),
             InstanceKind::Request { effect, context, site, loops, subject } => {
                 self.flush(open);
                 let loops = self.positions(loops);
@@ -358,18 +368,6 @@ impl Builder<'_> {
             },
             Subject::Point => Subject::Point,
             Subject::Texture(texture) => Subject::Texture(texture),
-        }
-    }
-
-    fn evaluate(&self, open: &mut Open, id: InstanceId) {
-        let instance = &self.graph.instances[id];
-        if let InstanceKind::Plain(code) = &instance.kind {
-            open.pending.steps.push(Step {
-                name: instance.name.clone(),
-                code: *code,
-                words: instance.words.clone(),
-                output: instance.output,
-            });
         }
     }
 

@@ -3,7 +3,7 @@
 //!
 //! A *region* is what is demanded under one mask. *Pure* instances, which ask nothing of the
 //! renderer, are evaluated for all points, in segments; whether a point asked for them cannot be
-//! seen. Instances that ask something, or read the answer, are run under the exact mask the walk
+//! seen. What is heavy and wanted under a condition is left out of blocks in which no point wants it. Instances that ask something, or read the answer, are run under the exact mask the walk
 //! would demand them under: those demanded once, without guard, inside the region of who demands
 //! them; all others as regions of their own, which a *force* runs on `mask and not done`.
 //!
@@ -11,10 +11,16 @@
 //! all points; where they were valid before they come out the same.
 
 mod build;
+mod conditions;
 mod ids;
 mod print;
+mod pure;
+mod queue;
 mod regions;
+mod verify;
 
 pub use build::schedule;
 pub use ids::{LoopId, RegionId, RequestId, SegmentId};
+pub use pure::LEAST_SKIPPED;
 pub use regions::{Item, Loop, Region, Request, Schedule, Segment, Step};
+pub use verify::verify;

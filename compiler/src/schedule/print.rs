@@ -43,7 +43,11 @@ impl Schedule {
             Item::Segment(at) => {
                 writeln!(f, "  segment {}", at.as_u32())?;
                 for step in &self.segments[*at].steps {
-                    writeln!(f, "    s{} = {} ({})", step.output, step.name, Words(&step.words))?;
+                    write!(f, "    s{} = {} ({})", step.output, step.name, Words(&step.words))?;
+                    match step.wanted.as_slice() {
+                        [] => writeln!(f)?,
+                        wanted => writeln!(f, " where {}", Words(wanted))?,
+                    }
                 }
                 Ok(())
             }

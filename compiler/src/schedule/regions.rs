@@ -4,7 +4,9 @@ use cranelift_entity::PrimaryMap;
 
 use crate::effects::Effect;
 use crate::kernels::BodyForms;
-use crate::specialise::{Context, EpochId, LightTable, LightTableId, Subject, Turns};
+use crate::specialise::{
+    Context, EpochId, Guard, Instance, InstanceKind, LightTable, LightTableId, Subject, Turns,
+};
 use crate::state::{Field, Reduction};
 use crate::storage::Source;
 use crate::values::Type;
@@ -77,6 +79,38 @@ pub struct Step {
     pub words: Vec<Source>,
     /// First slot of its output words.
     pub output: u32,
+    /// Masks: a point wants the step where all of them hold. A block in which none does is left out. Empty
+    /// where that is not asked.
+    pub wanted: Vec<Source>,
+    /// Whether it finds out who wants something, rather than being the evaluation of a node.
+    pub is_guard: bool,
+}
+
+impl Step {
+    /// The evaluation of an instance that has a body.
+    pub fn of(instance: &Instance) -> Option<Self> {
+        let InstanceKind::Plain(code) = instance.kind else { return None };
+        Some(Self {
+            name: instance.name.clone(),
+            code,
+            words: instance.words.clone(),
+            output: instance.output,
+            wanted: Vec::new(),
+            is_guard: false,
+        })
+    }
+
+    /// The guard of a demand, of one node by another.
+    pub fn of_guard(guard: &Guard, by: &str, of: &str, output: u32) -> Self {
+        Self {
+            name: format!("{by} demands {of}"),
+            code: guard.code,
+            words: guard.words.clone(),
+            output,
+            wanted: Vec::new(),
+            is_guard: true,
+        }
+    }
 }
 
 /// A request to the renderer.

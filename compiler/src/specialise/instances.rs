@@ -166,4 +166,11 @@ impl Specialised {
         let (root, _) = self.instances.last().expect("the root is an instance");
         root
     }
+
+    /// Every word that a guard reads.
+    pub fn guard_words(&self) -> Vec<Source> {
+        let demands = self.instances.values().flat_map(|instance| &instance.demands);
+        let guards = demands.filter_map(|demand| demand.guard.as_ref());
+        guards.flat_map(|guard| guard.words.iter().copied()).collect()
+    }
 }

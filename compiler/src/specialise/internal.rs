@@ -35,6 +35,28 @@ pub mod root {
     }
 }
 
+/// Whether two things hold.
+pub mod both {
+    use crate::node;
+
+    node! {
+        /// Whether two things hold.
+        both in internal,
+        source "",
+        inputs {
+            /// One.
+            outer: boolean = true;
+            /// The other.
+            inner: boolean = true;
+        }
+        outputs {
+            /// Whether they do.
+            value: boolean;
+        }
+        body |e, i| Outputs { value: i.outer & i.inner }
+    }
+}
+
 /// The implicit conversion of an integer to a scalar.
 pub mod integer_to_scalar {
     use crate::emit::Int;
@@ -60,6 +82,13 @@ pub mod integer_to_scalar {
 pub fn root_definition() -> &'static Definition {
     static DEFINITION: LazyLock<Definition> = LazyLock::new(root::definition);
     &DEFINITION
+}
+
+/// The code of [`both`].
+pub fn both_code() -> BodyForms {
+    static CODE: LazyLock<Option<BodyForms>> =
+        LazyLock::new(|| both::definition().overloads[0].code);
+    CODE.expect("a plain node has a body")
 }
 
 /// The code of [`integer_to_scalar`].

@@ -10,6 +10,7 @@ pub mod internal;
 mod keys;
 mod reads;
 mod uniforms;
+mod verify;
 mod views;
 
 pub use epochs::{Epoch, EpochKind, Epochs};
@@ -21,3 +22,4 @@ pub use instances::{
 };
 pub use keys::mix_key;
 pub use uniforms::Uniforms;
+pub use verify::verify;

@@ -4,6 +4,8 @@
 //! first, one [`Lanes`] each with the same value in all lanes, then for every block one [`Lanes`]
 //! per slot: `uniforms + block * slots + slot`.
 
+use std::ops::Range;
+
 /// Lanes of a block.
 pub const LANES: usize = 8;
 
@@ -50,6 +52,15 @@ impl FileShape {
         self.uniforms + block * self.slots + slot as usize
     }
 
+    /// Position in the file of a source for the block.
+    #[inline(always)]
+    pub fn at(self, source: Source, block: usize) -> usize {
+        match source {
+            Source::Uniform(at) | Source::Constant { at, .. } => at as usize,
+            Source::Slot(slot) => self.slot(slot, block),
+        }
+    }
+
     /// Words of a file with so many blocks.
     #[inline]
     pub fn words(self, blocks: usize) -> usize {
@@ -57,12 +68,14 @@ impl FileShape {
     }
 }
 
-/// Where one body reads and writes, over all blocks of a batch.
+/// Where one body reads and writes, over blocks of a batch.
 #[derive(Clone, Copy, Debug)]
 pub struct Placement<'a> {
     /// The shape of the file.
     pub shape: FileShape,
-    /// Blocks to run.
+    /// First block to run.
+    pub first: usize,
+    /// How many blocks to run.
     pub blocks: usize,
     /// One source per input word.
     pub sources: &'a [Source],
@@ -71,13 +84,16 @@ pub struct Placement<'a> {
 }
 
 impl Placement<'_> {
+    /// The blocks to run.
+    #[inline(always)]
+    pub fn range(&self) -> Range<usize> {
+        self.first..self.first + self.blocks
+    }
+
     /// Position in the file of input word `word` for the block.
     #[inline(always)]
     pub fn input(&self, word: usize, block: usize) -> usize {
-        match self.sources[word] {
-            Source::Uniform(at) | Source::Constant { at, .. } => at as usize,
-            Source::Slot(slot) => self.shape.slot(slot, block),
-        }
+        self.shape.at(self.sources[word], block)
     }
 
     /// Position in the file of output word `word` for the block.

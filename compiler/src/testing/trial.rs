@@ -142,6 +142,7 @@ impl Trial {
             &mut file,
             &Placement {
                 shape: FileShape { uniforms: 0, slots },
+                first: 0,
                 blocks,
                 sources: &sources,
                 output,

@@ -163,8 +163,13 @@ fn placed(
     output: u32,
 ) -> Rows {
     let blocks = inputs.count().div_ceil(LANES);
-    let placement =
-        Placement { shape: FileShape { uniforms: UNIFORMS, slots }, blocks, sources, output };
+    let placement = Placement {
+        shape: FileShape { uniforms: UNIFORMS, slots },
+        first: 0,
+        blocks,
+        sources,
+        output,
+    };
     let mut file = vec![Lanes::default(); UNIFORMS + blocks * slots];
     for row in 0..inputs.count() {
         for (word, &bits) in inputs.row(row).iter().enumerate() {

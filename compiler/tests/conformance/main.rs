@@ -130,6 +130,7 @@ fn a_source_outside_the_file_is_refused() {
             let mut file = vec![Lanes::default(); 4];
             let placement = Placement {
                 shape: FileShape { uniforms: 0, slots: 2 },
+                first: 0,
                 blocks: 2,
                 sources: &sources,
                 output,

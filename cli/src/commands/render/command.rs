@@ -74,7 +74,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = arguments::exposure)]
     exposure: f32,
 
-    /// Write counts of rays and points, and times, as JSON
+    /// Write counts of rays, points and evaluations of nodes, and times, as JSON; counting takes time
     #[arg(long, value_name = "FILE.json", value_hint = ValueHint::FilePath)]
     stats: Option<PathBuf>,
 
@@ -94,6 +94,10 @@ samples, seed and parameters alone: engine (but monolith), threads, batch and si
 Values count in this order: --set, `set` in the scene, the default of the parameter. In a scene,
 OBJECT is the name of an object, `objects[2]`, or `environment`. Numbers are written as in files
 (0.5, not .5), arrays and structs as well: --set 'layers=[…]', or part by part: layers[2].tint=1,0,0.
+
+--stats counts evaluations of nodes by engine: those that are wanted, by a point and what its colour depends
+on, and those that are done. walk does what is wanted. batch and jit evaluate nodes that ask nothing for
+eight points at once, and leave out what is heavy where none of the eight wants it.
 
 Examples:
   phenomenon render graphs/glass/advanced_glass.json
@@ -123,6 +127,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         node: arguments.node.as_ref(),
         stage: arguments.scene.as_deref(),
         allow: &arguments.allow,
+        count: arguments.stats.is_some(),
     };
     let picture = scenes::load(&arguments.file, &library, &arguments.engine, &flags)?;
     outputs::require_apart(&outputs)?;
@@ -139,6 +144,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         region: arguments.region,
         statistics: rendered.statistics,
         points: picture.points(arguments.engine.engine, rendered.statistics.points),
+        evaluations: picture.evaluations(),
         check_milliseconds: picture.check_milliseconds,
         compile_milliseconds: picture.compile_milliseconds(),
         render_milliseconds: start.elapsed().as_secs_f64() * 1e3,

@@ -1,6 +1,9 @@
 //! What a rendering cost, in a line and as JSON.
 
+use std::collections::BTreeMap;
+
 use phenomenon_compiler::diagnostics::grouped;
+use phenomenon_compiler::engine::Evaluations;
 use phenomenon_runtime::render::{Region, Settings, Statistics};
 use serde_json::{Map, json};
 
@@ -16,6 +19,8 @@ pub struct Cost {
     pub statistics: Statistics,
     /// Points shaded, by the engine that shaded them.
     pub points: Vec<(&'static str, u64)>,
+    /// Evaluations of nodes, by engine.
+    pub evaluations: BTreeMap<&'static str, Evaluations>,
     pub check_milliseconds: f64,
     pub compile_milliseconds: f64,
     pub render_milliseconds: f64,
@@ -39,13 +44,18 @@ impl Cost {
         )
     }
 
-    /// `{"rays":{…},"points":{…},"milliseconds":{…}}`
+    /// `{"rays":{…},"points":{…},"evaluations":{…},"milliseconds":{…}}`
     pub fn json(&self) -> String {
         let points: Map<_, _> =
             self.points.iter().map(|(engine, count)| ((*engine).into(), (*count).into())).collect();
+        let counts = self.evaluations.iter().map(|(engine, Evaluations { wanted, done })| {
+            ((*engine).into(), json!({ "wanted": wanted, "done": done }))
+        });
+        let evaluations: Map<_, _> = counts.collect();
         let object = json!({
             "rays": self.statistics.rays,
             "points": points,
+            "evaluations": evaluations,
             "milliseconds": {
                 "check": self.check_milliseconds,
                 "compile": self.compile_milliseconds,

@@ -16,6 +16,7 @@ impl Run<'_> {
         let of = &self.program.schedule.loops[at];
         self.memory.iterations[at] = 0;
         self.choose(within);
+        self.count_chosen();
         let chosen = std::mem::take(&mut self.memory.chosen);
         let mut words = [0; Reduction::MOST_WORDS];
         let words = &mut words[..of.value_type.width()];
@@ -42,6 +43,7 @@ impl Run<'_> {
     pub(super) fn iterate(&mut self, at: LoopId, within: RegionId, count: usize) {
         let of = &self.program.schedule.loops[at];
         if self.memory.iterations[at] > 0 {
+            self.settle_turn(of);
             self.reduce(of, of.region, |of, words, value, _| {
                 of.reduction.take(of.value_type, words, value);
             });

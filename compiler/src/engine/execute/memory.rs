@@ -2,10 +2,12 @@
 
 use cranelift_entity::SecondaryMap;
 
+use crate::engine::Evaluations;
 use crate::engine::requests::Asking;
+use crate::engine::runner::Runs;
 use crate::engine::turns::Turning;
 use crate::schedule::{LoopId, RegionId, Schedule};
-use crate::specialise::LightTableId;
+use crate::specialise::{LightTableId, Specialised};
 use crate::storage::{FileShape, LANES, Lanes};
 
 /// What the executor works in; kept between batches.
@@ -22,10 +24,28 @@ pub struct Memory {
     pub(super) iterations: SecondaryMap<LoopId, usize>,
     /// Per loop and point, the token of the light sample.
     pub(super) tokens: SecondaryMap<LoopId, Vec<u64>>,
+    pub(super) runs: Runs,
+    pub(super) tally: Tally,
     pub(super) stack: Vec<Frame>,
     pub(super) chosen: Vec<usize>,
     pub(super) asking: Asking,
     pub(super) turning: Turning,
+}
+
+/// What is counted of a batch.
+#[derive(Debug, Default)]
+pub(super) struct Tally {
+    /// Per instance and block, the lanes that want it and were not counted yet.
+    pub(super) wanted: Vec<u8>,
+    pub(super) counted: Evaluations,
+}
+
+impl Tally {
+    /// Makes it ready for a batch.
+    pub(super) fn fit(&mut self, graph: Option<&Specialised>, blocks: usize) {
+        self.wanted.clear();
+        self.wanted.resize(graph.map_or(0, |graph| graph.instances.len() * blocks), 0);
+    }
 }
 
 /// Answers about one light sample.

@@ -5,6 +5,7 @@ mod asks;
 mod loops;
 mod memory;
 mod run;
+mod tally;
 
 pub use memory::Memory;
 pub use run::Program;

@@ -3,11 +3,12 @@
 use cranelift_entity::EntityRef;
 
 use crate::effects::Renderer;
+use crate::engine::Evaluations;
 use crate::engine::links::Linked;
 use crate::engine::runner::Runner;
 use crate::engine::shade::Shaded;
 use crate::schedule::{Item, RegionId, Schedule};
-use crate::specialise::Context;
+use crate::specialise::{Context, Specialised};
 use crate::state::{Field, State};
 use crate::storage::{FileShape, LANES, Lanes, Source};
 
@@ -26,6 +27,8 @@ pub struct Program<'a> {
     pub runner: Runner<'a>,
     /// Most points at once.
     pub batch: usize,
+    /// What it was scheduled from, where evaluations of nodes are counted.
+    pub counted: Option<&'a Specialised>,
 }
 
 impl Program<'_> {
@@ -34,7 +37,7 @@ impl Program<'_> {
         FileShape { uniforms: self.uniforms.len(), slots: self.runner.slots(self.schedule) }
     }
 
-    /// Shades `points` and writes one result each.
+    /// Shades `points` and writes one result each; tells how many evaluations that took, if they are counted.
     pub(in crate::engine) fn run(
         &self,
         points: &[State],
@@ -42,7 +45,8 @@ impl Program<'_> {
         renderer: &mut dyn Renderer,
         results: &mut [Shaded],
         memory: &mut Memory,
-    ) {
+    ) -> Evaluations {
+        memory.tally.counted = Evaluations::default();
         let shape = self.shape();
         let block_bytes = shape.slots.max(1) * size_of::<Lanes>();
         let most = self.batch.div_ceil(LANES).min(MAX_FILE_BYTES / block_bytes).max(1) * LANES;
@@ -50,11 +54,14 @@ impl Program<'_> {
         for (points, results) in points.chunks(chunk).zip(results.chunks_mut(chunk)) {
             let blocks = points.len().div_ceil(LANES);
             memory.fit(self.schedule, self.uniforms, shape, blocks);
+            memory.tally.fit(self.counted, blocks);
             let mut run = Run { program: self, shape, points, blocks, links, renderer, memory };
             run.load();
             run.regions();
+            run.settle_points();
             run.store(results);
         }
+        memory.tally.counted
     }
 }
 
@@ -73,10 +80,7 @@ impl Run<'_> {
     /// Position in the file of a source for the block.
     #[inline]
     fn at(&self, source: Source, block: usize) -> usize {
-        match source {
-            Source::Uniform(at) | Source::Constant { at, .. } => at as usize,
-            Source::Slot(slot) => self.shape.slot(slot, block),
-        }
+        self.shape.at(source, block)
     }
 
     #[inline]
@@ -141,8 +145,9 @@ impl Run<'_> {
             match next {
                 Item::Segment(at) => {
                     let (shape, blocks) = (self.shape, self.blocks);
-                    let lanes = &mut self.memory.lanes;
-                    program.runner.segment(program.schedule, *at, shape, lanes, blocks);
+                    let Memory { lanes, runs, .. } = &mut *self.memory;
+                    program.runner.segment(program.schedule, *at, shape, lanes, blocks, runs);
+                    self.count_segment(*at);
                 }
                 Item::Force { region: forced, guard } => {
                     if self.force(region, *forced, *guard) {
@@ -154,6 +159,7 @@ impl Run<'_> {
                 Item::Request(at) => {
                     let request = &program.schedule.requests[*at];
                     self.choose(region);
+                    self.count_chosen();
                     if !self.memory.chosen.is_empty() {
                         self.request(request);
                     }

@@ -52,8 +52,9 @@ enum Stretch {
 }
 
 impl Pieces {
-    /// Cuts `schedule` for a generator, to be run over at most `batch` points at once.
-    pub fn of(schedule: &Schedule, batch: usize, generator: Generator) -> Self {
+    /// Cuts `schedule` for a generator, to be run over at most `batch` points at once. These words are kept in
+    /// the file, whoever reads them.
+    pub fn of(schedule: &Schedule, batch: usize, generator: Generator, kept: &[Source]) -> Self {
         let heavy = match generator {
             Generator::Native => HEAVY_OPS_OF_NATIVE,
             Generator::Cranelift if batch < SMALL_BATCH => HEAVY_OPS_OF_FEW,
@@ -61,7 +62,7 @@ impl Pieces {
         };
         let segments = schedule.segments.values();
         let stretches: Vec<_> = segments.map(|segment| stretches(segment, heavy)).collect();
-        let readers = Readers::new(schedule, &stretches);
+        let readers = Readers::new(schedule, &stretches, kept);
         let mut pieces = Self::default();
         let mut number = 0;
         for (segment, stretches) in schedule.segments.values().zip(&stretches) {
@@ -109,11 +110,15 @@ impl fmt::Display for Pieces {
     }
 }
 
-/// Cuts a segment at its heavy steps, of more operations than `heavy`.
+/// Cuts a segment at its heavy steps, of more operations than `heavy`, and where others want it.
 fn stretches(segment: &Segment, heavy: usize) -> Vec<Stretch> {
     let mut stretches = Vec::new();
     let mut from = 0;
     for (at, step) in segment.steps.iter().enumerate() {
+        if from < at && segment.steps[from].wanted != step.wanted {
+            stretches.push(Stretch::Light { from, to: at });
+            from = at;
+        }
         if step.code.recorded().weight() > heavy {
             if from < at {
                 stretches.push(Stretch::Light { from, to: at });
@@ -147,6 +152,7 @@ fn record(steps: &[Step], number: usize, readers: &Readers) -> OpSegment {
     let mut sources: Vec<Source> = Vec::new();
     let mut known: HashMap<Source, OpId> = HashMap::new();
     let mut stores = Vec::new();
+    let wanted = steps.first().map(|step| step.wanted.clone()).unwrap_or_default();
     for step in steps {
         let inputs: Vec<OpId> = step
             .words
@@ -170,7 +176,7 @@ fn record(steps: &[Step], number: usize, readers: &Readers) -> OpSegment {
             }
         }
     }
-    OpSegment { ops: tape.into_ops(), sources, stores, wanted: Vec::new() }
+    OpSegment { ops: tape.into_ops(), sources, stores, wanted }
 }
 
 /// Per slot, who reads it.
@@ -185,7 +191,7 @@ enum Reader {
 }
 
 impl Readers {
-    fn new(schedule: &Schedule, stretches: &[Vec<Stretch>]) -> Self {
+    fn new(schedule: &Schedule, stretches: &[Vec<Stretch>], kept: &[Source]) -> Self {
         let mut readers = Self(vec![Reader::Nobody; schedule.slots as usize]);
         let mut number = 0;
         for (segment, stretches) in schedule.segments.values().zip(stretches) {
@@ -196,6 +202,8 @@ impl Readers {
                 };
                 for step in &segment.steps[steps] {
                     readers.note(&step.words, Reader::Stretch(number));
+                    // Asked before the stretch, so from the file.
+                    readers.note(&step.wanted, Reader::Several);
                 }
                 number += 1;
             }
@@ -212,6 +220,7 @@ impl Readers {
         requests.chain(loops).for_each(|word| readers.note(&[word], Reader::Several));
         let root: Vec<Source> = (schedule.root..schedule.root + 5).map(Source::Slot).collect();
         readers.note(&root, Reader::Several);
+        readers.note(kept, Reader::Several);
         readers
     }
 

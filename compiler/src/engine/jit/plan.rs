@@ -6,7 +6,7 @@ use cranelift_entity::PrimaryMap;
 
 use crate::engine::options::Simd;
 use crate::schedule::{Schedule, SegmentId};
-use crate::storage::{FileShape, Lanes, stride};
+use crate::storage::{FileShape, Lanes, Source, stride};
 
 use super::pieces::{Piece, Pieces};
 use super::{Generator, JitCode, JitError};
@@ -32,15 +32,16 @@ enum Part {
 
 impl Plan {
     /// Plans and compiles `schedule` for a program of that many uniform words, to run over at most
-    /// `batch` points at once.
+    /// `batch` points at once. These words are kept in the file, whoever reads them.
     pub fn new(
         schedule: &Schedule,
         uniforms: usize,
         simd: Simd,
         batch: usize,
         generator: Generator,
+        kept: &[Source],
     ) -> Result<Self, JitError> {
-        let Pieces { segments, functions, scratch } = Pieces::of(schedule, batch, generator);
+        let Pieces { segments, functions, scratch } = Pieces::of(schedule, batch, generator, kept);
         let slots = stride(schedule.slots + scratch);
         let code = JitCode::compile(generator, &functions, FileShape { uniforms, slots })?;
         let segments = segments.values().map(|pieces| joined(pieces)).collect();
@@ -63,7 +64,7 @@ impl Plan {
         segment: SegmentId,
         lanes: &mut [Lanes],
         blocks: usize,
-        kernel: impl Fn(usize, Simd, &mut [Lanes]),
+        mut kernel: impl FnMut(usize, Simd, &mut [Lanes]),
     ) {
         for part in &self.segments[segment] {
             match part {

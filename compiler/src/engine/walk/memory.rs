@@ -3,6 +3,7 @@
 use cranelift_entity::{EntityRef, SecondaryMap};
 
 use super::code::Code;
+use crate::engine::evaluations::Evaluations;
 use crate::engine::requests::Asking;
 use crate::engine::turns::Turning;
 use crate::specialise::{EpochId, InstanceId, LightTableId};
@@ -26,6 +27,7 @@ pub struct Memory {
     pub(super) stack: Vec<Frame>,
     pub(super) asking: Asking,
     pub(super) turning: Turning,
+    pub(super) evaluations: Evaluations,
 }
 
 /// Where a loop stands.
@@ -56,6 +58,7 @@ pub(super) struct Kept {
 impl Memory {
     /// Makes room for a graph, with the uniform words in place.
     pub(super) fn fit(&mut self, code: &Code, uniforms: &[u32]) {
+        self.evaluations = Evaluations::default();
         self.words.resize(code.words.max(self.words.len()), 0);
         self.words[..uniforms.len()].copy_from_slice(uniforms);
         self.inputs.resize(code.most_inputs.max(self.inputs.len()), 0);

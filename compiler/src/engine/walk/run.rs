@@ -3,6 +3,7 @@
 use super::code::{Body, Code, Demand, Kind, Scope, Span, Step};
 use super::memory::{Frame, LoopPosition, Memory};
 use crate::effects::Renderer;
+use crate::engine::evaluations::Evaluations;
 use crate::engine::links::Linked;
 use crate::engine::requests::iteration_key;
 use crate::engine::shade::Shaded;
@@ -10,7 +11,8 @@ use crate::specialise::{EpochId, InstanceId};
 use crate::state::{Field, State};
 
 impl Code {
-    /// Walks the graph for each point, with the words its parameters are bound to.
+    /// Walks the graph for each point, with the words its parameters are bound to; tells how many
+    /// evaluations that took.
     ///
     /// Steps that wait stand on an explicit stack, so that no chain is too deep. Nothing is hashed or
     /// allocated for a point, but by portable forms, which look up what their bodies recorded.
@@ -22,12 +24,13 @@ impl Code {
         renderer: &mut dyn Renderer,
         results: &mut [Shaded],
         memory: &mut Memory,
-    ) {
+    ) -> Evaluations {
         memory.fit(self, uniforms);
         let mut walk = Walk { code: self, links, renderer, memory };
         for (point, result) in points.iter().zip(results) {
             *result = walk.point(point);
         }
+        memory.evaluations
     }
 }
 
@@ -67,11 +70,13 @@ impl Walk<'_> {
         let code = self.code;
         let begin = |step: InstanceId| Frame { step, next: code.steps[step].demands.first };
         let mut frame = begin(root);
+        self.memory.evaluations.wanted += 1;
         loop {
             let step = &code.steps[frame.step];
             if let Some(source) = self.demanded(step, &mut frame.next) {
                 self.memory.stack.push(frame);
                 frame = begin(source);
+                self.memory.evaluations.wanted += 1;
                 continue;
             }
             match &step.kind {
@@ -84,12 +89,14 @@ impl Walk<'_> {
                         if let Some(body) = body {
                             self.memory.stack.push(frame);
                             frame = begin(body);
+                            self.memory.evaluations.wanted += 1;
                         }
                         continue;
                     }
                 }
             }
             self.memory.done[frame.step] = self.memory.pass[step.epoch];
+            self.memory.evaluations.done += 1;
             match self.memory.stack.pop() {
                 Some(waiting) => frame = waiting,
                 None => return,

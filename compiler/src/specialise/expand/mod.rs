@@ -17,7 +17,7 @@ use super::reads::reads;
 use super::views::Views;
 use super::{
     Demand, EpochId, Epochs, Guard, Instance, InstanceId, InstanceKind, SpecialiseError,
-    Specialised, Uniforms,
+    Specialised, Uniforms, verify,
 };
 
 /// Most instances of one root.
@@ -55,6 +55,11 @@ pub fn expand(
         },
     };
     builder.run()?;
+    if cfg!(debug_assertions)
+        && let Err(what) = verify(&builder.result)
+    {
+        panic!("after specialise: {what}");
+    }
     Ok(builder.result)
 }
 
