@@ -10,7 +10,7 @@ use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::state::State;
 
 use super::statistics::{median, spread};
-use super::workloads::states;
+use super::workloads::Workload;
 use crate::arguments::EngineChoice;
 use crate::failure::Failure;
 
@@ -24,9 +24,9 @@ pub struct Points {
 }
 
 impl Points {
-    /// The points of every workload.
-    pub fn new() -> Self {
-        let states = states();
+    /// The points of a workload.
+    pub fn new(workload: Workload) -> Self {
+        let states = workload.states();
         Self { results: vec![Shaded::default(); states.len()], states }
     }
 

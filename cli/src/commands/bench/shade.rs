@@ -16,7 +16,7 @@ use crate::arguments::{self, EngineChoice, Precision};
 use crate::failure::{Failure, Outcome};
 use crate::terminal;
 
-/// Shade the points of four workloads with every engine in turn and print the medians.
+/// Shade the points of five workloads with every engine in turn and print the medians.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES)]
 pub struct Arguments {
@@ -52,6 +52,7 @@ const ENGINES: [EngineChoice; 4] =
 struct Race {
     workload: Workload,
     batch: usize,
+    points: Points,
     contenders: Vec<Contender>,
 }
 
@@ -64,12 +65,11 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let results = folder.map(|folder| Results::new(folder, "shade")).transpose()?;
     let library = NodeLibrary::standard();
     let engines = engines(&library)?;
-    let mut points = Points::new();
     let mut races = Vec::new();
     for workload in Workload::ALL {
         if arguments.workload.is_empty() || arguments.workload.contains(&workload) {
             for batch in BATCHES {
-                races.push(race(workload, batch, &engines, &library, &mut points)?);
+                races.push(race(workload, batch, &engines, &library)?);
             }
         }
     }
@@ -78,7 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     for _ in 0..arguments.runs {
         for race in &mut races {
             for contender in &mut race.contenders {
-                contender.take_turn(race.batch, &mut points);
+                contender.take_turn(race.batch, &mut race.points);
             }
             bar.inc(1);
         }
@@ -107,8 +107,8 @@ fn race(
     batch: usize,
     engines: &[EngineChoice],
     library: &NodeLibrary,
-    points: &mut Points,
 ) -> Result<Race, Failure> {
+    let mut points = Points::new(workload);
     let graph = Arc::new(workload.graph(library)?);
     let mut contenders = Vec::new();
     for &engine in engines {
@@ -116,9 +116,9 @@ fn race(
             Some(engine) => compiled(&graph, engine, batch)?,
             None => workload.by_hand(),
         };
-        contenders.push(Contender::new(engine, shader, batch, points));
+        contenders.push(Contender::new(engine, shader, batch, &mut points));
     }
-    Ok(Race { workload, batch, contenders })
+    Ok(Race { workload, batch, points, contenders })
 }
 
 fn table(runs: u8, races: &[Race]) -> String {

@@ -94,6 +94,13 @@ impl Side {
     }
 }
 
+/// Lets a point choose the first side of each choice.
+pub fn to_one_side(point: &mut State) {
+    point.uv = point.uv.map(|x| x / 2.0);
+    point.inv_normal = true;
+    point.reflection_level = 0;
+}
+
 /// Its colour at a point.
 pub fn shade(point: &State) -> Vec4 {
     let [u, v] = point.uv;

@@ -9,5 +9,5 @@ mod states;
 mod ten;
 mod workload;
 
-pub use states::{STATES, states};
+pub use states::STATES;
 pub use workload::Workload;

@@ -6,8 +6,10 @@ use phenomenon_compiler::document::read;
 use phenomenon_compiler::engine::Shade;
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::state::State;
 
 use super::by_hand::ByHand;
+use super::states::states;
 use super::{branchy, light, mixed, ten};
 use crate::failure::Failure;
 
@@ -22,11 +24,13 @@ pub enum Workload {
     Mixed,
     /// Four choices by the state, with heavy nodes on both sides of each
     Branchy,
+    /// The same at points that all choose the same sides
+    OneSide,
 }
 
 impl Workload {
     /// All of them, the lightest first.
-    pub const ALL: [Self; 4] = [Self::Ten, Self::Light, Self::Mixed, Self::Branchy];
+    pub const ALL: [Self; 5] = [Self::Ten, Self::Light, Self::Mixed, Self::Branchy, Self::OneSide];
 
     /// Name on the command line and in results.
     pub fn name(self) -> &'static str {
@@ -35,6 +39,7 @@ impl Workload {
             Self::Light => "light",
             Self::Mixed => "mixed",
             Self::Branchy => "branchy",
+            Self::OneSide => "one-side",
         }
     }
 
@@ -49,13 +54,22 @@ impl Workload {
         graph.ok_or_else(|| Failure::new(format!("the workload {name} cannot be used"), ""))
     }
 
+    /// The points it is shaded at.
+    pub fn states(self) -> Vec<State> {
+        let mut states = states();
+        if self == Self::OneSide {
+            states.iter_mut().for_each(branchy::to_one_side);
+        }
+        states
+    }
+
     /// The graph's file.
     fn text(self) -> &'static str {
         match self {
             Self::Ten => include_str!("ten.json"),
             Self::Light => include_str!("light.json"),
             Self::Mixed => include_str!("mixed.json"),
-            Self::Branchy => include_str!("branchy.json"),
+            Self::Branchy | Self::OneSide => include_str!("branchy.json"),
         }
     }
 
@@ -66,7 +80,7 @@ impl Workload {
             Self::Ten => Box::new(ByHand(ten::shade)),
             Self::Light => Box::new(ByHand(light::shade)),
             Self::Mixed => Box::new(ByHand(mixed::shade)),
-            Self::Branchy => Box::new(ByHand(branchy::shade)),
+            Self::Branchy | Self::OneSide => Box::new(ByHand(branchy::shade)),
         }
     }
 }
@@ -80,10 +94,9 @@ mod tests {
     use phenomenon_compiler::graph::RootKind;
 
     use super::*;
-    use crate::commands::bench::workloads::states;
 
-    fn colors(shader: &dyn Shade, batch: usize) -> Vec<[f32; 4]> {
-        let states = states();
+    fn colors(workload: Workload, shader: &dyn Shade, batch: usize) -> Vec<[f32; 4]> {
+        let states = workload.states();
         let mut results = vec![Shaded::default(); states.len()];
         for (points, results) in states.chunks(batch).zip(results.chunks_mut(batch)) {
             shader.shade(RootKind::Material, points, &mut NoScene, results);
@@ -100,10 +113,11 @@ mod tests {
             let checked = check_graph(&document, &library);
             assert!(checked.findings.is_empty(), "{:?}", checked.findings);
             let graph = checked.graph.unwrap();
-            assert_eq!(graph.name, workload.name());
+            let is_file = |name| name == workload.name() || workload == Workload::OneSide;
+            assert!(is_file(graph.name.as_str()), "{}", graph.name);
             graph.nodes.len()
         });
-        assert_eq!(nodes, [19, 162, 97, 112]);
+        assert_eq!(nodes, [19, 162, 97, 112, 112]);
     }
 
     #[test]
@@ -113,7 +127,8 @@ mod tests {
             let graph = Arc::new(workload.graph(&library).unwrap());
             let options = Options { engine: Engine::Walk, ..Options::default() };
             let shader = Shader::new(graph, &[], options).unwrap();
-            let (walk, by_hand) = (colors(&shader, 256), colors(workload.by_hand().as_ref(), 16));
+            let (walk, by_hand) =
+                (colors(workload, &shader, 256), colors(workload, workload.by_hand().as_ref(), 16));
             for (point, (a, b)) in walk.iter().zip(&by_hand).enumerate() {
                 for (x, y) in a.iter().zip(b) {
                     let apart = (x - y).abs();
