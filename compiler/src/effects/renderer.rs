@@ -1,6 +1,6 @@
 //! The renderer as engines see it.
 
-use crate::state::State;
+use crate::state::{Objects, State};
 use crate::values::Texture;
 
 use super::lights::{LightList, LightSample};
@@ -26,6 +26,11 @@ impl TextureId {
 pub trait Renderer {
     /// Traces `rays`, each from one of the `states`, and writes one answer each.
     fn trace(&mut self, trace: Trace, states: &[State], rays: &[Ray], answers: &mut [Answer]);
+
+    /// The objects that states name.
+    fn objects(&self) -> Objects<'_> {
+        Objects::default()
+    }
 
     /// The texture of a file. A renderer opens all of [`crate::engine::Shade::textures`] beforehand and
     /// refuses to start where it cannot.

@@ -7,9 +7,11 @@ use crate::values::Type;
 
 use super::held::Held;
 use super::iterated::Iterated;
+use super::object::Object;
 use super::shading_point::State;
 
-/// Declares the fields: name, type, range, and where the state holds it or which loop provides it.
+/// Declares the fields: name, type, range, and where the state or its object holds it, or which loop
+/// provides it.
 macro_rules! fields {
     ($($(#[doc = $doc:literal])+ $variant:ident $name:literal $type:ident $(in $range:expr)?, $how:tt $place:tt;)+) => {
         /// A field of the state that nodes can read.
@@ -52,20 +54,32 @@ macro_rules! fields {
                 match self { $(Field::$variant => fields!(@range $($range)?),)+ }
             }
 
-            /// The loop that provides it; none for those of the point.
+            /// The loop that provides it; none for those of the point and its object.
             pub fn of_loop(self) -> Option<Iterated> {
                 match self { $(Field::$variant => fields!(@loop $how $place),)+ }
             }
 
+            /// Whether it is of the object, not of the point: the same all over it, and looked up through
+            /// [`Objects`](super::Objects).
+            pub const fn of_object(self) -> bool {
+                match self { $(Field::$variant => fields!(@of_object $how),)+ }
+            }
+
+            /// Writes its words as they are in its object; zeros for those that no object holds.
+            #[inline]
+            pub fn read_of(self, object: &Object, words: &mut [u32]) {
+                match self { $(Field::$variant => fields!(@read_of $how $place, object, words),)+ }
+            }
+
             /// Writes its words, [`Field::value_type`] wide, as they are in `state`; zeros for those of
-            /// loops, which no state holds.
+            /// loops and objects, which no state holds.
             #[inline]
             pub fn read(self, state: &State, words: &mut [u32]) {
                 match self { $(Field::$variant => fields!(@read $how $place, state, words),)+ }
             }
 
             /// Writes its words of up to eight states, each in a lane of its own; nothing for those of
-            /// loops.
+            /// loops and objects.
             #[inline]
             pub fn gather(self, states: &[State], lanes: &mut [Lanes]) {
                 match self { $(Field::$variant => {
@@ -74,7 +88,7 @@ macro_rules! fields {
                 })+ }
             }
 
-            /// Sets the field from its words; those of loops are not kept.
+            /// Sets the field from its words; those of loops and objects are not kept.
             #[inline]
             pub fn write(self, state: &mut State, words: &[u32]) {
                 match self { $(Field::$variant => fields!(@write $how $place, state, words),)+ }
@@ -84,9 +98,16 @@ macro_rules! fields {
     (@range) => { None };
     (@range $range:expr) => { Some($range) };
     (@loop held $place:tt) => { None };
+    (@loop object $place:tt) => { None };
+    (@of_object object) => { true };
+    (@of_object $how:ident) => { false };
+    (@read_of object ($($place:tt)+), $object:ident, $words:ident) => {
+        $object.$($place)+.read($words)
+    };
+    (@read_of $how:ident $place:tt, $object:ident, $words:ident) => { $words.fill(0) };
     (@loop of $loop:ident) => { Some(Iterated::$loop) };
     (@read held ($($place:tt)+), $state:ident, $words:ident) => { $state.$($place)+.read($words) };
-    (@read of $loop:ident, $state:ident, $words:ident) => { $words.fill(0) };
+    (@read $how:ident $place:tt, $state:ident, $words:ident) => { $words.fill(0) };
     (@gather held ($($place:tt)+), $width:ident, $states:ident, $lanes:ident) => {
         for (lane, state) in $states.iter().enumerate() {
             let mut words = [0; $width];
@@ -96,11 +117,11 @@ macro_rules! fields {
             }
         }
     };
-    (@gather of $loop:ident, $width:ident, $states:ident, $lanes:ident) => {{
+    (@gather $how:ident $place:tt, $width:ident, $states:ident, $lanes:ident) => {{
         let _: usize = $width;
     }};
     (@write held ($($place:tt)+), $state:ident, $words:ident) => { $state.$($place)+.write($words) };
-    (@write of $loop:ident, $state:ident, $words:ident) => { () };
+    (@write $how:ident $place:tt, $state:ident, $words:ident) => { () };
 }
 
 /// Components of unit vectors.
@@ -153,6 +174,10 @@ fields! {
     RefractionLevel "refraction_level" Integer in COUNT, held (refraction_level);
     /// Colour handed on by the shader before in the list of a root; for the first what the renderer starts from: white for shadows, else zero.
     Incoming "incoming" Color, held (incoming);
+    /// Number of the object, from 1 in the order of the scene; 0 where there is none.
+    ObjectId "object_id" Integer in COUNT, object (id);
+    /// A number of the object's own, 0 to below 1; 0 where there is none.
+    ObjectRandom "object_random" Scalar in 0.0..=1.0, object (random);
     /// Unit direction towards the light sample; only inside a light loop.
     LightDirection "light_direction" Vector in UNIT, of Lights;
     /// Distance to the light sample, 0 for one at infinity; only inside a light loop.
@@ -166,6 +191,11 @@ fields! {
 }
 
 impl Field {
+    /// Whether a state holds it.
+    pub fn of_point(self) -> bool {
+        self.of_loop().is_none() && !self.of_object()
+    }
+
     /// The field called `name` in graph files.
     pub fn from_name(name: &str) -> Option<Field> {
         Field::ALL.iter().copied().find(|field| field.name() == name)
@@ -205,16 +235,16 @@ mod tests {
                 words[0] = u32::MAX;
             }
             field.write(&mut state, &words);
-            match field.of_loop() {
-                Some(_) => assert_eq!(read(field, &state), vec![0; words.len()]),
-                None => assert_eq!(read(field, &state), words, "{field:?}"),
+            match field.of_point() {
+                false => assert_eq!(read(field, &state), vec![0; words.len()]),
+                true => assert_eq!(read(field, &state), words, "{field:?}"),
             }
             for &other in Field::ALL.iter().filter(|other| **other != field) {
                 assert_eq!(read(other, &state), read(other, &State::default()), "{field:?}");
             }
             let mut lanes = [Lanes([7; LANES]); Field::MOST_WORDS];
             field.gather(&[state, State::default()], &mut lanes[..words.len()]);
-            if field.of_loop().is_none() {
+            if field.of_point() {
                 let other = read(field, &State::default());
                 for (at, lanes) in lanes[..words.len()].iter().enumerate() {
                     assert_eq!(lanes.0[..3], [words[at], other[at], 7], "{field:?}");

@@ -4,7 +4,7 @@
 use crate::effects::{
     Answer, Effect, LightList, LightSample, Points, Ray, Renderer, TextureId, Trace,
 };
-use crate::state::{Field, State};
+use crate::state::{Field, Object, Objects, State};
 use crate::values::{Texture, Type};
 
 use super::random::{Random, canonical, mixed};
@@ -19,12 +19,14 @@ pub struct MockRenderer {
     pub log: Vec<Record>,
     /// If given, the lights of every list, the same for all points.
     pub lights: Option<Vec<LightSample>>,
+    /// The objects that points name.
+    pub objects: Vec<Object>,
 }
 
 impl MockRenderer {
     /// With these lights in every list.
     pub fn with_lights(lights: Vec<LightSample>) -> Self {
-        Self { log: Vec::new(), lights: Some(lights) }
+        Self { lights: Some(lights), ..Self::default() }
     }
 
     /// The log in an order that does not depend on who asked first.
@@ -98,6 +100,10 @@ impl Renderer for MockRenderer {
                 distance: random.number(),
             };
         }
+    }
+
+    fn objects(&self) -> Objects<'_> {
+        Objects(&self.objects)
     }
 
     fn texture(&mut self, texture: &Texture) -> TextureId {

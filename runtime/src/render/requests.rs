@@ -3,7 +3,7 @@
 use phenomenon_compiler::effects::{
     Answer, LightList, LightSample, Points, Ray, Renderer, TextureId, Trace,
 };
-use phenomenon_compiler::state::{RayType, State};
+use phenomenon_compiler::state::{Objects, RayType, State};
 use phenomenon_compiler::values::Texture;
 
 use super::clock::Who;
@@ -28,6 +28,10 @@ impl Renderer for Context<'_> {
                 context.trace_queue(ray_type, states, rays, answers, scratch);
             }
         });
+    }
+
+    fn objects(&self) -> Objects<'_> {
+        Objects(&self.scene.known_objects)
     }
 
     fn texture(&mut self, texture: &Texture) -> TextureId {

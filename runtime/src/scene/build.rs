@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use phenomenon_compiler::engine::Shade;
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::state::Hit;
+use phenomenon_compiler::state::{self, Hit};
 
 use super::depth::TraceDepth;
 use super::object::Object;
@@ -60,6 +60,8 @@ pub struct Scene {
     /// Middle of the box round everything, and half its diagonal.
     pub(crate) extent: (DVec3, f64),
     objects: Vec<Object>,
+    /// What shaders can know of them.
+    pub(crate) known_objects: Vec<state::Object>,
     pub(crate) textures: Textures,
 }
 
@@ -183,6 +185,7 @@ impl SceneBuilder {
             camera: self.camera,
             depth: self.depth,
             extent,
+            known_objects: (0..self.objects.len() as u32).map(state::Object::at).collect(),
             objects: self.objects,
             textures,
         })

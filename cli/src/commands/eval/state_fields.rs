@@ -32,6 +32,10 @@ pub fn state(assignments: &[TextValue]) -> Result<(State, Vec<String>), Failure>
             let why = format!("this field exists only inside a {} loop", of.name());
             return Err(refuse(&why, "evaluate the loop; an empty scene has no lights"));
         }
+        if field.of_object() {
+            let why = "this field is the object's, not the point's";
+            return Err(refuse(why, "an empty scene has no objects; render a scene with some"));
+        }
         if given.contains(&field) {
             return Err(refuse("the field is set twice", "leave one of them out"));
         }
@@ -59,8 +63,7 @@ fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
 
 fn field(name: &str) -> Result<Field, String> {
     Field::from_name(name).ok_or_else(|| {
-        let names =
-            || Field::ALL.iter().filter(|field| field.of_loop().is_none()).map(|f| f.name());
+        let names = || Field::ALL.iter().filter(|field| field.of_point()).map(|f| f.name());
         match nearest(name, names()) {
             Some(near) => near.help(),
             None => format!("the fields are {}", names().collect::<Vec<_>>().join(", ")),
@@ -229,7 +232,7 @@ mod tests {
 
     #[test]
     fn every_field_of_the_state_can_be_set() {
-        for field in Field::ALL.iter().filter(|field| field.of_loop().is_none()) {
+        for field in Field::ALL.iter().filter(|field| field.of_point()) {
             let value = match field.value_type() {
                 Type::Boolean => "true",
                 Type::Vector => "0,1,0",
@@ -294,6 +297,7 @@ mod tests {
         told("u=1,2", "one number is needed, and 2 are given");
         told("point=0,.5,0", "`.5`: write 0.5");
         told("reflection_level=1.5", "a whole number is needed");
+        told("object_id=1", "the object's, not the point's");
         assert_eq!(read(&["reflection_level=2e0"]).unwrap().0.reflection_level, 2);
         assert!(read(&["norml=0,0,1"]).unwrap_err().contains("did you mean `normal`?"));
         assert!(read(&["u=1", "u=2"]).unwrap_err().contains("twice"));

@@ -102,11 +102,12 @@ impl Run<'_> {
 
     /// Writes the state fields in use, and the mask of all points, block by block.
     fn load(&mut self) {
+        let objects = self.renderer.objects();
         for (block, states) in self.points.chunks(LANES).enumerate() {
             for &(field, first) in &self.program.schedule.fields {
                 let at = self.shape.slot(first, block);
                 let width = field.value_type().width();
-                field.gather(states, &mut self.memory.lanes[at..at + width]);
+                objects.gather(field, states, &mut self.memory.lanes[at..at + width]);
             }
             let mask = self.mask(RegionId::ROOT, block);
             self.memory.todo[mask] = (0xff_u32 >> (LANES - states.len())) as u8;

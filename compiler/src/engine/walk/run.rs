@@ -56,8 +56,9 @@ impl Walk<'_> {
         let Memory { passes, pass, words, .. } = &mut *self.memory;
         *passes += 1;
         pass.values_mut().take(code.epochs).for_each(|pass| *pass = *passes);
+        let objects = self.renderer.objects();
         for &(field, at) in &code.fields {
-            field.read(state, &mut words[at..at + field.value_type().width()]);
+            objects.read(field, state, &mut words[at..at + field.value_type().width()]);
         }
         self.evaluate(code.root(), state);
         let output = &self.memory.words[code.steps[code.root()].output as usize..][..5];

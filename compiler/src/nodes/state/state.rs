@@ -3,7 +3,7 @@ use crate::state::Field;
 
 /// What the list of nodes holds of this node.
 pub fn definition() -> Definition {
-    let fields = Field::ALL.iter().copied().filter(|field| field.of_loop().is_none());
+    let fields = Field::ALL.iter().copied().filter(|field| field.of_point());
     Definition::of_fields(
         "state",
         "The fields of the state, one output each.",

@@ -142,7 +142,7 @@ impl Evaluation<'_> {
         match &self.surroundings[at].inside_of {
             Inside::Point => {
                 let mut words = vec![0; width];
-                field.read(self.point, &mut words);
+                self.renderer.objects().read(field, self.point, &mut words);
                 Ok(words)
             }
             Inside::Turn { fields, .. } => {
