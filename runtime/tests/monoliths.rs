@@ -35,9 +35,9 @@ impl Renderer for Mock {
             *answer = Answer {
                 color: if probe { [0.0; 4] } else { [x, y, z, 0.25 + 0.5 * x] },
                 // Some points see nothing, so that the environment is asked instead.
-                ok: trace == Trace::Environment || path % 3 != 0,
+                ok: trace == Trace::Environment || !path.is_multiple_of(3),
                 hit: trace != Trace::Environment,
-                distance: if path % 5 == 0 { 0.0 } else { 2.0 + 3.0 * x },
+                distance: if path.is_multiple_of(5) { 0.0 } else { 2.0 + 3.0 * x },
             };
         }
     }
