@@ -27,7 +27,7 @@ pub struct JitCode {
 enum Machine {
     #[cfg(target_arch = "x86_64")]
     Native(NativeCode),
-    Cranelift(CraneliftCode),
+    Cranelift(Box<CraneliftCode>),
 }
 
 impl JitCode {
@@ -50,7 +50,9 @@ impl JitCode {
             }
             #[cfg(not(target_arch = "x86_64"))]
             Generator::Native => return Err(JitError::UnsupportedTarget),
-            Generator::Cranelift => Machine::Cranelift(CraneliftCode::compile(segments, shape)?),
+            Generator::Cranelift => {
+                Machine::Cranelift(Box::new(CraneliftCode::compile(segments, shape)?))
+            }
         };
         Ok(Self { machine, shape })
     }
@@ -92,13 +94,15 @@ impl JitCode {
             let blocks = TILE.min(blocks - first);
             let before = uniforms + first * slots;
             for function in functions.clone() {
-                // SAFETY: the code reads uniforms below `uniforms` and accesses slots below `slots` of these
-                // blocks (`check`), all within `lanes` by the assertion, which this function alone may access now.
+                // The code reads uniforms below `uniforms` and accesses slots below `slots` of these blocks
+                // (`check`): all within `lanes` by the assertion, which this call alone may access now.
                 match &self.machine {
                     #[cfg(target_arch = "x86_64")]
+                    // SAFETY: see above; `block` is where the first of these blocks starts.
                     Machine::Native(code) => unsafe {
                         code.run(function, file, file.add(before), blocks);
                     },
+                    // SAFETY: see above; so many bytes lie before the first of these blocks.
                     Machine::Cranelift(code) => unsafe {
                         code.run(function, file, before * size_of::<Lanes>(), blocks);
                     },

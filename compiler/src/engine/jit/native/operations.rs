@@ -52,7 +52,7 @@ impl Writer<'_> {
             Op::Truncate(a) => self.round(TOWARDS_ZERO, id, a),
             Op::RoundEven(a) => self.round(TO_EVEN, id, a),
             Op::ToReal(a) => self.unary(Form::TO_REAL, id, a),
-            Op::ToInt(a) => self.to_int(id, a),
+            Op::ToInt(a) => self.integer(id, a),
             Op::IntAdd(a, b) => self.commutative(Form::INT_ADD, id, a, b),
             Op::IntSub(a, b) => self.ordered(Form::INT_SUB, id, a, b),
             Op::IntMul(a, b) => self.commutative(Form::INT_MUL, id, a, b),
@@ -176,7 +176,7 @@ impl Writer<'_> {
 
     /// The instruction yields `i32::MIN` for whatever does not fit: flipped to `i32::MAX` above the range,
     /// cleared for NaN.
-    fn to_int(&mut self, id: OpId, a: OpId) {
+    fn integer(&mut self, id: OpId, a: OpId) {
         let from = self.registers.register(a);
         let kept = self.registers.temporary();
         let past = self.constant(PAST_INTEGERS);
