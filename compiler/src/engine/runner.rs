@@ -71,26 +71,28 @@ fn run_step(step: &Step, simd: Simd, shape: FileShape, lanes: &mut [Lanes], runs
 /// Blocks next to one another in which some point wants something.
 #[derive(Debug, Default)]
 pub struct Runs {
-    /// The masks that were asked last, if any were.
-    of: Option<Vec<Source>>,
+    /// The masks that were asked last; kept between segments, so that nothing is allocated.
+    of: Vec<Source>,
+    /// Whether they still say what they said.
+    are_asked: bool,
     runs: Vec<Range<usize>>,
 }
 
 impl Runs {
     /// Masks may have changed.
     fn forget(&mut self) {
-        self.of = None;
+        self.are_asked = false;
     }
 
     /// Finds the blocks in which a point holds all of these masks; all blocks if there are none. Masks
     /// that were asked last are not asked again: what is skipped by them does not write them.
     fn find(&mut self, wanted: &[Source], shape: FileShape, lanes: &[Lanes], blocks: usize) {
-        if self.of.as_deref() == Some(wanted) {
+        if self.are_asked && self.of == wanted {
             return;
         }
-        let of = self.of.get_or_insert_default();
-        of.clear();
-        of.extend_from_slice(wanted);
+        self.are_asked = true;
+        self.of.clear();
+        self.of.extend_from_slice(wanted);
         self.runs.clear();
         if wanted.is_empty() {
             return self.runs.push(0..blocks);
