@@ -6,7 +6,7 @@ use phenomenon_compiler::engine::{Engine, Evaluations, Options, Shader};
 use phenomenon_compiler::graph::{Binding, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
-use phenomenon_compiler::testing::build::{Build, Built, every_engine, scalar};
+use phenomenon_compiler::testing::build::{Build, Built, color, every_engine, scalar};
 use phenomenon_compiler::testing::differential::{Case, outcome};
 use phenomenon_compiler::testing::random::Random;
 use phenomenon_compiler::testing::random_graph::random_graph;
@@ -103,6 +103,31 @@ fn sides_stand_within_sides() {
             count(&built, Options { engine: Engine::Walk, ..options }, &points(24, |_| true));
         assert_eq!(inside.wanted, walk.wanted, "{options:?}");
         assert_eq!(walk.wanted, walk.done);
+    }
+}
+
+/// What reads an answer is evaluated in blocks that ask, and what only a request needs, too.
+#[test]
+fn what_belongs_to_a_request_is_evaluated_where_that_is_made() {
+    let mut build = Build::new();
+    let weight = build.node("state", &[]).output("u");
+    let trace = build.node("trace_reflection", &[]);
+    let dim = build.node("scale", &[("input", trace.first()), ("factor", scalar(0.5))]);
+    let inputs = [("weight", weight), ("a", color([0.1; 4])), ("b", dim.first())];
+    let mix = build.node("mix", &inputs);
+    let built = build.material(mix.first());
+    let mut points = points(40, |_| false);
+    for point in &mut points[16..24] {
+        point.uv[0] = 0.25;
+    }
+    for options in every_engine() {
+        let found = count(&built, options, &points);
+        // Everywhere the mix and the root; in one block the direction, the trace, and what dims it.
+        let all = 2 * 40 + 3 * 8;
+        assert_eq!(found.wanted, all, "{options:?}");
+        if options.engine == Engine::Walk || options.batch == 256 {
+            assert_eq!(found.done, all, "{options:?}");
+        }
     }
 }
 

@@ -26,29 +26,30 @@ impl Runner<'_> {
         }
     }
 
-    /// Runs a segment of the schedule over the blocks of a file. `runs` is working memory.
+    /// Runs a segment of the schedule over the blocks of a file in which some point is run.
     pub fn segment(
         &self,
         schedule: &Schedule,
         segment: SegmentId,
         shape: FileShape,
         lanes: &mut [Lanes],
-        blocks: usize,
         runs: &mut Runs,
     ) {
         let steps = &schedule.segments[segment].steps;
-        runs.forget();
+        let Runs { used, wanted } = runs;
+        // Masks may have changed.
+        wanted.of = None;
         match self {
             Runner::Kernels(simd) => {
                 for step in steps {
-                    runs.find(&step.wanted, shape, lanes, blocks);
-                    run_step(step, *simd, shape, lanes, runs);
+                    wanted.find(&step.wanted, shape, lanes, used);
+                    run_step(step, *simd, shape, lanes, &wanted.runs);
                 }
             }
             Runner::Jit(plan) => {
-                plan.run(segment, lanes, blocks, |step, simd, lanes| {
-                    runs.find(&steps[step].wanted, shape, lanes, blocks);
-                    run_step(&steps[step], simd, shape, lanes, runs);
+                plan.run(segment, lanes, used, |step, simd, lanes| {
+                    wanted.find(&steps[step].wanted, shape, lanes, used);
+                    run_step(&steps[step], simd, shape, lanes, &wanted.runs);
                 });
             }
         }
@@ -56,8 +57,8 @@ impl Runner<'_> {
 }
 
 /// Runs the kernel of one step.
-fn run_step(step: &Step, simd: Simd, shape: FileShape, lanes: &mut [Lanes], runs: &Runs) {
-    for run in &runs.runs {
+fn run_step(step: &Step, simd: Simd, shape: FileShape, lanes: &mut [Lanes], runs: &[Range<usize>]) {
+    for run in runs {
         let (first, blocks) = (run.start, run.len());
         let placement =
             Placement { shape, first, blocks, sources: &step.words, output: step.output };
@@ -68,46 +69,80 @@ fn run_step(step: &Step, simd: Simd, shape: FileShape, lanes: &mut [Lanes], runs
     }
 }
 
-/// Blocks next to one another in which some point wants something.
+/// Which blocks are run, as runs of blocks next to one another; kept so that nothing is allocated.
 #[derive(Debug, Default)]
 pub struct Runs {
-    /// The masks that were asked last; kept between segments, so that nothing is allocated.
-    of: Vec<Source>,
-    /// Whether they still say what they said.
-    are_asked: bool,
+    /// Those in which some point is run.
+    used: Vec<Range<usize>>,
+    wanted: Wanted,
+}
+
+/// Those of them in which some point wants a step.
+#[derive(Debug, Default)]
+struct Wanted {
+    /// The masks that were asked last, if any were.
+    of: Option<Vec<Source>>,
     runs: Vec<Range<usize>>,
 }
 
 impl Runs {
-    /// Masks may have changed.
-    fn forget(&mut self) {
-        self.are_asked = false;
+    /// Takes the blocks with lanes in these masks.
+    pub fn of(&mut self, masks: &[u8]) {
+        self.used.clear();
+        for (block, _) in masks.iter().enumerate().filter(|(_, mask)| **mask != 0) {
+            append(&mut self.used, block);
+        }
     }
 
-    /// Finds the blocks in which a point holds all of these masks; all blocks if there are none. Masks
-    /// that were asked last are not asked again: what is skipped by them does not write them.
-    fn find(&mut self, wanted: &[Source], shape: FileShape, lanes: &[Lanes], blocks: usize) {
-        if self.are_asked && self.of == wanted {
+    /// The blocks in which some point is run and holds all of these masks.
+    pub fn wanting(
+        &self,
+        wanted: &[Source],
+        shape: FileShape,
+        lanes: &[Lanes],
+    ) -> impl Iterator<Item = usize> {
+        let used = self.used.iter().flat_map(Range::clone);
+        used.filter(move |&block| is_wanted(wanted, shape, lanes, block))
+    }
+}
+
+impl Wanted {
+    /// Finds the blocks, of those used, in which a point holds all of these masks. Masks that were asked
+    /// last are not asked again: what is skipped by them does not write them.
+    fn find(
+        &mut self,
+        wanted: &[Source],
+        shape: FileShape,
+        lanes: &[Lanes],
+        used: &[Range<usize>],
+    ) {
+        if self.of.as_deref() == Some(wanted) {
             return;
         }
-        self.are_asked = true;
-        self.of.clear();
-        self.of.extend_from_slice(wanted);
+        let of = self.of.get_or_insert_default();
+        of.clear();
+        of.extend_from_slice(wanted);
         self.runs.clear();
         if wanted.is_empty() {
-            return self.runs.push(0..blocks);
+            return self.runs.extend_from_slice(used);
         }
-        for block in (0..blocks).filter(|&block| is_wanted(wanted, shape, lanes, block)) {
-            match self.runs.last_mut().filter(|last| last.end == block) {
-                Some(last) => last.end += 1,
-                None => self.runs.push(block..block + 1),
-            }
+        let used = used.iter().flat_map(Range::clone);
+        for block in used.filter(|&block| is_wanted(wanted, shape, lanes, block)) {
+            append(&mut self.runs, block);
         }
     }
 }
 
+/// Puts a block behind runs of blocks.
+fn append(runs: &mut Vec<Range<usize>>, block: usize) {
+    match runs.last_mut().filter(|last| last.end == block) {
+        Some(last) => last.end += 1,
+        None => runs.push(block..block + 1),
+    }
+}
+
 /// Whether some lane of a block holds all of these masks.
-pub fn is_wanted(wanted: &[Source], shape: FileShape, lanes: &[Lanes], block: usize) -> bool {
+fn is_wanted(wanted: &[Source], shape: FileShape, lanes: &[Lanes], block: usize) -> bool {
     let mut all = [u32::MAX; LANES];
     for &mask in wanted {
         let words = &lanes[shape.at(mask, block)].0;

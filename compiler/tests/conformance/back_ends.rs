@@ -112,7 +112,7 @@ fn compiled(
     let shape = FileShape { uniforms: UNIFORMS, slots };
     let code = JitCode::compile(generator, &parts, shape).expect("compiles");
     let run = |file: &mut [Lanes], placement: &Placement<'_>| {
-        code.run(0..parts.len(), file, placement.blocks);
+        code.run(0..parts.len(), file, 0..placement.blocks);
     };
     placed(run, case, inputs, &sources, slots, first)
 }

@@ -50,7 +50,7 @@ impl Maker {
     pub fn run(self, segments: &[OpSegment], file: &mut File) {
         let shape = FileShape { uniforms: file.uniforms, slots: file.slots };
         let code = self.compile(segments, shape).expect("compiles");
-        code.run(0..segments.len(), &mut file.lanes, file.blocks);
+        code.run(0..segments.len(), &mut file.lanes, 0..file.blocks);
     }
 }
 
@@ -355,7 +355,7 @@ fn a_short_file_is_refused() {
     };
     let code =
         maker.compile(&[one_store()], FileShape { uniforms: 1, slots: 1 }).expect("compiles");
-    code.run(0..1, &mut [Lanes::default(); 2], 2);
+    code.run(0..1, &mut [Lanes::default(); 2], 0..2);
 }
 
 #[test]
@@ -365,7 +365,7 @@ fn no_block_is_touched_when_there_is_none() {
         let code = maker.compile(&[one_store()], shape).expect("compiles");
         let before = [Lanes([1; LANES]), Lanes([2; LANES])];
         let mut lanes = before;
-        code.run(0..1, &mut lanes, 0);
+        code.run(0..1, &mut lanes, 0..0);
         assert_eq!(lanes, before);
     }
 }
@@ -391,7 +391,7 @@ fn code_is_shared_and_freed() {
                 let (code, mut file) = (code.clone(), file.clone());
                 let (expected, case) = (&expected, &case);
                 scope.spawn(move || {
-                    code.run(0..1, &mut file.lanes, file.blocks);
+                    code.run(0..1, &mut file.lanes, 0..file.blocks);
                     let kind = |slot: u32| case.slots[slot as usize];
                     file.assert_same(expected, case.slots.len() as u32, kind, "threads");
                 });

@@ -145,9 +145,10 @@ impl Run<'_> {
             item += 1;
             match next {
                 Item::Segment(at) => {
-                    let (shape, blocks) = (self.shape, self.blocks);
-                    let Memory { lanes, runs, .. } = &mut *self.memory;
-                    program.runner.segment(program.schedule, *at, shape, lanes, blocks, runs);
+                    let (first, shape) = (self.mask(region, 0), self.shape);
+                    let Memory { lanes, runs, todo, .. } = &mut *self.memory;
+                    runs.of(&todo[first..first + self.blocks]);
+                    program.runner.segment(program.schedule, *at, shape, lanes, runs);
                     self.count_segment(*at);
                 }
                 Item::Force { region: forced, guard } => {

@@ -6,11 +6,11 @@
 
 use cranelift_entity::EntityRef;
 
-use crate::engine::runner::is_wanted;
 use crate::schedule::{Loop, RegionId, SegmentId};
 use crate::specialise::{EpochId, Guard, InstanceId, InstanceKind, Specialised};
 use crate::storage::LANES;
 
+use super::memory::Memory;
 use super::run::Run;
 
 impl Run<'_> {
@@ -19,15 +19,15 @@ impl Run<'_> {
         if self.program.counted.is_none() {
             return;
         }
-        let lanes = &self.memory.lanes;
+        let Memory { lanes, runs, .. } = &*self.memory;
+        let mut done = 0;
         for step in &self.program.schedule.segments[at].steps {
             if step.is_guard {
                 continue;
             }
-            let wanted = |&block: &usize| is_wanted(&step.wanted, self.shape, lanes, block);
-            let blocks = (0..self.blocks).filter(wanted).count();
-            self.memory.tally.counted.done += (blocks * LANES) as u64;
+            done += runs.wanting(&step.wanted, self.shape, lanes).count() * LANES;
         }
+        self.memory.tally.counted.done += done as u64;
     }
 
     /// Counts a request, or a loop, of the chosen points.

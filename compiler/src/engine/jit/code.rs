@@ -73,25 +73,26 @@ impl JitCode {
         Ok(Self { machine, shape })
     }
 
-    /// Runs function after function over the first `blocks` blocks of the file, a few blocks at a time.
+    /// Runs function after function over blocks of the file, a few blocks at a time.
     ///
     /// # Panics
-    /// If there is no such function, or the file is smaller than `uniforms + blocks * slots`.
-    pub fn run(&self, functions: Range<usize>, lanes: &mut [Lanes], blocks: usize) {
+    /// If there is no such function, or the file is smaller than `uniforms + blocks.end * slots`.
+    pub fn run(&self, functions: Range<usize>, lanes: &mut [Lanes], blocks: Range<usize>) {
         let FileShape { uniforms, slots } = self.shape;
-        let words = blocks.checked_mul(slots).and_then(|words| words.checked_add(uniforms));
+        let words = blocks.end.checked_mul(slots).and_then(|words| words.checked_add(uniforms));
         assert!(
             words.is_some_and(|words| words <= lanes.len()),
-            "a file of {} words cannot hold {blocks} blocks",
-            lanes.len()
+            "a file of {} words cannot hold {} blocks",
+            lanes.len(),
+            blocks.end
         );
         // A segment without slots may pass any number of blocks, and stores nothing.
         if slots == 0 {
             return;
         }
         let file = lanes.as_mut_ptr();
-        for first in (0..blocks).step_by(TILE) {
-            let blocks = TILE.min(blocks - first);
+        for first in blocks.clone().step_by(TILE) {
+            let blocks = TILE.min(blocks.end - first);
             let before = uniforms + first * slots;
             for function in functions.clone() {
                 // The code reads uniforms below `uniforms` and accesses slots below `slots` of these blocks

@@ -58,17 +58,21 @@ impl Plan {
         self.code.code_bytes()
     }
 
-    /// Runs a segment over the blocks; `kernel` runs those of its steps that are kernels.
+    /// Runs a segment over runs of blocks; `kernel` runs those of its steps that are kernels.
     pub(in crate::engine) fn run(
         &self,
         segment: SegmentId,
         lanes: &mut [Lanes],
-        blocks: usize,
+        used: &[Range<usize>],
         mut kernel: impl FnMut(usize, Simd, &mut [Lanes]),
     ) {
         for part in &self.segments[segment] {
             match part {
-                Part::Functions(functions) => self.code.run(functions.clone(), lanes, blocks),
+                Part::Functions(functions) => {
+                    for run in used {
+                        self.code.run(functions.clone(), lanes, run.clone());
+                    }
+                }
                 Part::Kernel(step) => kernel(*step, self.simd, lanes),
             }
         }
