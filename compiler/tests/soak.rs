@@ -21,7 +21,7 @@ fn compile(generator: Generator, programs: u32) {
         let shape = FileShape { uniforms: 0, slots: 2 };
         let code = JitCode::compile(generator, &[segment(number)], shape).expect("compiles");
         let mut lanes = [Lanes([number; LANES]); 2];
-        code.run(0..1, &mut lanes, 1);
+        code.run(0..1, &mut lanes, 0..1);
         assert_eq!(lanes[1], Lanes([number.wrapping_mul(2); LANES]));
     }
 }

@@ -131,6 +131,54 @@ fn what_belongs_to_a_request_is_evaluated_where_that_is_made() {
     }
 }
 
+/// A case of two numbers is wanted where one of them is.
+#[test]
+fn what_is_demanded_in_two_ways_is_wanted_where_one_of_them_is() {
+    let mut build = Build::new();
+    let index = build.node("state", &[]).output("reflection_level");
+    let (even, odd) = (noise(&mut build, 1.5), noise(&mut build, -0.7));
+    let inputs = [
+        ("index", index),
+        ("case_0", even.clone()),
+        ("case_1", odd.clone()),
+        ("case_2", even),
+        ("case_3", odd),
+    ];
+    let chosen = build.node_of("switch", Type::Scalar, &inputs);
+    let built = build.material(chosen.first());
+    let mut points = points(16, |_| false);
+    for (index, point) in points.iter_mut().enumerate() {
+        point.reflection_level = 2 * (index as i32 % 2);
+    }
+    for options in every_engine() {
+        let found = count(&built, options, &points);
+        assert_eq!(found.wanted, 4 * 16, "{options:?}");
+        if options.engine == Engine::Walk || options.batch == 256 {
+            assert_eq!(found.done, 4 * 16, "{options:?}");
+        }
+    }
+}
+
+/// The other side of a choice may ask for rays: the condition is known all the same.
+#[test]
+fn a_side_is_skipped_beside_one_that_asks() {
+    let mut build = Build::new();
+    let inside = build.node("state", &[]).output("inv_normal");
+    let (trace, noise) = (build.node("trace_reflection", &[]), noise(&mut build, 1.5));
+    let gray = build.node("scale", &[("input", color([0.5; 4])), ("factor", noise)]);
+    let inputs = [("condition", inside), ("if_true", trace.first()), ("if_false", gray.first())];
+    let chosen = build.node("select", &inputs);
+    let built = build.material(chosen.first());
+    for options in every_engine() {
+        let found = count(&built, options, &points(16, |_| true));
+        // The direction, the trace, the choice and the root.
+        assert_eq!(found.wanted, 4 * 16, "{options:?}");
+        if options.engine == Engine::Walk || options.batch == 256 {
+            assert_eq!(found.done, 4 * 16, "{options:?}");
+        }
+    }
+}
+
 /// What is not counted costs nothing and says nothing.
 #[test]
 fn nothing_is_counted_unless_that_is_asked_for() {

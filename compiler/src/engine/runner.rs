@@ -38,7 +38,7 @@ impl Runner<'_> {
         let steps = &schedule.segments[segment].steps;
         let Runs { used, wanted } = runs;
         // Masks may have changed.
-        wanted.of = None;
+        wanted.is_known = false;
         match self {
             Runner::Kernels(simd) => {
                 for step in steps {
@@ -80,8 +80,9 @@ pub struct Runs {
 /// Those of them in which some point wants a step.
 #[derive(Debug, Default)]
 struct Wanted {
-    /// The masks that were asked last, if any were.
-    of: Option<Vec<Source>>,
+    /// The masks that were asked last, if that still holds.
+    of: Vec<Source>,
+    is_known: bool,
     runs: Vec<Range<usize>>,
 }
 
@@ -116,12 +117,12 @@ impl Wanted {
         lanes: &[Lanes],
         used: &[Range<usize>],
     ) {
-        if self.of.as_deref() == Some(wanted) {
+        if self.is_known && self.of == wanted {
             return;
         }
-        let of = self.of.get_or_insert_default();
-        of.clear();
-        of.extend_from_slice(wanted);
+        self.is_known = true;
+        self.of.clear();
+        self.of.extend_from_slice(wanted);
         self.runs.clear();
         if wanted.is_empty() {
             return self.runs.extend_from_slice(used);

@@ -86,6 +86,21 @@ impl Recorded {
         }
     }
 
+    /// Of that many input words, which the outputs depend on.
+    pub fn reads(&self, words: usize) -> Vec<bool> {
+        let mut live = vec![false; self.ops.len()];
+        let mut reads = vec![false; words];
+        self.outputs.iter().for_each(|id| live[*id as usize] = true);
+        for (id, op) in self.ops.iter().enumerate().rev() {
+            match *op {
+                _ if !live[id] => {}
+                Op::Load(word) => reads[word as usize] = true,
+                op => op.for_each_operand(|operand| live[operand as usize] = true),
+            }
+        }
+        reads
+    }
+
     /// Number of operations once functions are expanded, those that only fetch a word aside.
     pub fn weight(&self) -> usize {
         *self.weight.get_or_init(|| {

@@ -24,8 +24,8 @@ impl ConditionId {
     pub(super) const ALWAYS: Self = Self(0);
 }
 
-/// A guard below another condition.
-#[derive(Clone, Copy)]
+/// A guard, or one of several, below another condition.
+#[derive(Clone)]
 pub(super) struct Condition<'a> {
     /// The one outside; of the root, itself.
     pub(super) outside: ConditionId,
@@ -38,21 +38,25 @@ pub(super) struct Condition<'a> {
     jump: ConditionId,
 }
 
-/// A guarded demand.
-#[derive(Clone, Copy)]
+/// What an instance demands of another, in one way or several.
+#[derive(Clone)]
 pub(super) struct Demanded<'a> {
-    pub(super) guard: &'a Guard,
+    /// One of them holds.
+    pub(super) guards: Vec<&'a Guard>,
     pub(super) by: InstanceId,
     pub(super) of: InstanceId,
-    /// The innermost loop of whose turns the guard speaks, or the point.
+    /// The innermost loop of whose turns the guards speak, or the point.
     turns: EpochId,
 }
+
+/// What guards do, and over which words.
+type Key<'a> = Vec<(usize, &'a [Source])>;
 
 /// The tree of conditions, and where each instance stands in it.
 pub(super) struct Conditions<'a> {
     graph: &'a Specialised,
     all: PrimaryMap<ConditionId, Condition<'a>>,
-    known: HashMap<(ConditionId, usize, &'a [Source]), ConditionId>,
+    known: HashMap<(ConditionId, Key<'a>), ConditionId>,
     seen_from: HashMap<(ConditionId, EpochId), ConditionId>,
     of: SecondaryMap<InstanceId, PackedOption<ConditionId>>,
 }
@@ -84,16 +88,13 @@ impl<'a> Conditions<'a> {
             let turns = graph.epochs.innermost_loop(instance.epoch).unwrap_or(EpochId::POINT);
             let at = conditions.seen_from(met, turns);
             conditions.of[id] = at.into();
-            for demand in &instance.demands {
-                let place = match &demand.guard {
-                    Some(guard) if slots.are_pure(&guard.words, effectful) => {
-                        let turns = slots.turns(graph, &guard.words);
-                        let demanded = Demanded { guard, by: id, of: demand.source, turns };
-                        conditions.below(at, demanded)
-                    }
-                    _ => at,
+            for position in 0..instance.demands.len() {
+                let source = instance.demands[position].source;
+                let place = match slots.demanded(graph, id, position, effectful) {
+                    Some(demanded) => conditions.below(at, demanded),
+                    None => at,
                 };
-                conditions.meet(demand.source, place);
+                conditions.meet(source, place);
             }
             if let InstanceKind::Loop { body: Some(body), .. } = &instance.kind {
                 conditions.meet(*body, at);
@@ -125,10 +126,11 @@ impl<'a> Conditions<'a> {
 
     /// The condition of a demand that is made where `outside` holds.
     fn below(&mut self, outside: ConditionId, demand: Demanded<'a>) -> ConditionId {
-        let Demanded { guard, turns, .. } = demand;
-        if let Some(known) = self.find(outside, guard) {
+        let key = (outside, key(&demand.guards));
+        if let Some(&known) = self.known.get(&key) {
             return known;
         }
+        let turns = demand.turns;
         let outer = &self.all[outside];
         let jump = &self.all[outer.jump];
         let far = outer.depth - jump.depth == jump.depth - self.all[jump.jump].depth;
@@ -141,13 +143,13 @@ impl<'a> Conditions<'a> {
             jump: if far { jump.jump } else { outside },
         };
         let id = self.all.push(condition);
-        self.known.insert((outside, code(guard), guard.words.as_slice()), id);
+        self.known.insert(key, id);
         id
     }
 
     /// The condition of demands with this guard that are made where `outside` holds, if there is one.
     pub(super) fn find(&self, outside: ConditionId, guard: &Guard) -> Option<ConditionId> {
-        self.known.get(&(outside, code(guard), guard.words.as_slice())).copied()
+        self.known.get(&(outside, key(&[guard]))).copied()
     }
 
     /// The innermost condition round both.
@@ -155,7 +157,8 @@ impl<'a> Conditions<'a> {
         let depth = |of: ConditionId| self.all[of].depth;
         let up = |mut from: ConditionId, to: u32| {
             while depth(from) > to {
-                let Condition { outside, jump, .. } = self.all[from];
+                let Condition { outside, jump, .. } = &self.all[from];
+                let (outside, jump) = (*outside, *jump);
                 from = if depth(jump) >= to { jump } else { outside };
             }
             from
@@ -176,7 +179,7 @@ impl<'a> Conditions<'a> {
         let mut unseen = Vec::new();
         let mut at = condition;
         let mut seen = loop {
-            let Condition { outside, turns: spoken_of, .. } = self.all[at];
+            let Condition { outside, turns: spoken_of, .. } = self.all[at].clone();
             if self.knows(turns, spoken_of) {
                 break at;
             }
@@ -187,7 +190,7 @@ impl<'a> Conditions<'a> {
             at = outside;
         };
         for of in unseen.into_iter().rev() {
-            if let Some(demand) = self.all[of].demand
+            if let Some(demand) = self.all[of].demand.clone()
                 && self.knows(turns, demand.turns)
             {
                 seen = self.below(seen, demand);
@@ -203,9 +206,12 @@ impl<'a> Conditions<'a> {
     }
 }
 
-/// What a guard does: what bodies record is kept, and known by its address.
-fn code(guard: &Guard) -> usize {
-    std::ptr::from_ref(guard.code.recorded()) as usize
+/// What bodies record is kept, and known by its address.
+fn key<'a>(guards: &[&'a Guard]) -> Key<'a> {
+    let of = |guard: &&'a Guard| {
+        (std::ptr::from_ref(guard.code.recorded()) as usize, guard.words.as_slice())
+    };
+    guards.iter().map(of).collect()
 }
 
 /// Who writes each slot.
@@ -248,6 +254,37 @@ impl Slots {
             },
             Source::Uniform(_) | Source::Constant { .. } => None,
         })
+    }
+
+    /// What the instance demands where it demands what it demands at that position. None if it does so
+    /// always, or where that cannot be known: all ways are over words that are there before the first.
+    fn demanded<'a>(
+        &self,
+        graph: &'a Specialised,
+        by: InstanceId,
+        position: usize,
+        effectful: &EntitySet<InstanceId>,
+    ) -> Option<Demanded<'a>> {
+        let demands = &graph.instances[by].demands;
+        let of = demands[position].source;
+        let first = demands.iter().position(|demand| demand.source == of)?;
+        let ready = &demands[..first];
+        let mut guards = Vec::new();
+        let mut turns = EpochId::POINT;
+        for demand in demands[first..].iter().filter(|demand| demand.source == of) {
+            let guard = demand.guard.as_ref()?;
+            let is_ready = |id| ready.iter().any(|demand| demand.source == id);
+            if !self.are_pure(&guard.words, effectful) || !self.writers(&guard.words).all(is_ready)
+            {
+                return None;
+            }
+            let own = self.turns(graph, &guard.words);
+            let loops = |of: EpochId| graph.epochs.0[of].loops.len();
+            turns = if loops(own) > loops(turns) { own } else { turns };
+            guards.push(guard);
+        }
+        guards.dedup_by_key(|guard| key(&[*guard]));
+        Some(Demanded { guards, by, of, turns })
     }
 
     /// Whether no word is written by what asks the renderer or reads the answer.

@@ -200,11 +200,13 @@ impl Order<'_> {
         needed.sort_unstable();
         let mut words = Words::new();
         for of in needed {
-            let guard = *slots;
-            let is_outermost = self.conditions.get(of).outside == ConditionId::ALWAYS;
-            let word = if is_outermost { guard } else { guard + 1 };
-            words[of] = Some((guard, word));
-            *slots = word + 1;
+            let condition = self.conditions.get(of);
+            let guards = condition.demand.as_ref().map_or(1, |demand| demand.guards.len()) as u32;
+            let is_outermost = condition.outside == ConditionId::ALWAYS;
+            // Each guard, what becomes of each two, and of that and the word outside.
+            let count = 2 * guards - u32::from(is_outermost);
+            words[of] = Some((*slots, *slots + count - 1));
+            *slots += count;
         }
         words
     }
@@ -229,21 +231,34 @@ impl Order<'_> {
 
     /// The steps that find out where a condition holds, if something is skipped by it.
     fn find_out(&self, condition: ConditionId, words: &Words, steps: &mut Vec<Step>) {
-        let Some((guard, word)) = words[condition] else { return };
+        let Some((first, _)) = words[condition] else { return };
         let condition = self.conditions.get(condition);
-        let Some(demand) = condition.demand else { return };
+        let Some(demand) = &condition.demand else { return };
         let by = &self.graph.instances[demand.by].name;
         let of = &self.graph.instances[demand.of].name;
-        steps.push(Step::of_guard(demand.guard, by, of, guard));
+        let mut next = first;
+        let mut slot = || {
+            next += 1;
+            next - 1
+        };
+        let guards: Vec<u32> = demand.guards.iter().map(|_| slot()).collect();
+        for (guard, at) in demand.guards.iter().zip(&guards) {
+            steps.push(Step::of_guard(guard, by, of, *at));
+        }
+        let mut joined = |code, [a, b]: [u32; 2], name| {
+            let words = vec![Source::Slot(a), Source::Slot(b)];
+            let output = slot();
+            steps.push(Step { name, code, words, output, wanted: Vec::new(), is_guard: true });
+            output
+        };
+        let mut word = guards[0];
+        for guard in &guards[1..] {
+            let name = format!("{by} demands {of} in some way");
+            word = joined(internal::either_code(), [word, *guard], name);
+        }
         if let Some((_, outer)) = words[condition.outside] {
-            steps.push(Step {
-                name: format!("{by} is wanted and demands {of}"),
-                code: internal::both_code(),
-                words: vec![Source::Slot(outer), Source::Slot(guard)],
-                output: word,
-                wanted: Vec::new(),
-                is_guard: true,
-            });
+            let name = format!("{by} is wanted and demands {of}");
+            joined(internal::both_code(), [outer, word], name);
         }
     }
 }

@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, HashMap};
 
 use crate::specialise::{InstanceId, Specialised};
+use crate::storage::Source;
 
 use super::conditions::{ConditionId, Conditions, Slots};
 
@@ -65,16 +66,17 @@ impl<'a> Queue<'a> {
         }
         for at in 0..self.tasks.len() {
             let (task, under) = self.tasks[at];
-            let (words, condition) = match task {
-                Task::Evaluate(id) => (&self.graph.instances[id].words, under),
+            let (words, condition): (Vec<&[Source]>, _) = match task {
+                Task::Evaluate(id) => (vec![&self.graph.instances[id].words], under),
                 Task::Find(condition) => {
                     let condition = self.conditions.get(condition);
-                    let Some(demand) = condition.demand else { continue };
-                    (&demand.guard.words, condition.outside)
+                    let guards = condition.demand.iter().flat_map(|demand| &demand.guards);
+                    (guards.map(|guard| guard.words.as_slice()).collect(), condition.outside)
                 }
             };
+            let writers = words.into_iter().flat_map(|words| self.owners.writers(words));
             let mut before: Vec<u32> =
-                self.owners.writers(words).filter_map(|id| evaluations.get(&id).copied()).collect();
+                writers.filter_map(|id| evaluations.get(&id).copied()).collect();
             before.extend(findings.get(&condition));
             before.sort_unstable();
             before.dedup();

@@ -57,6 +57,28 @@ pub mod both {
     }
 }
 
+/// Whether one of two things holds.
+pub mod either {
+    use crate::node;
+
+    node! {
+        /// Whether one of two things holds.
+        either in internal,
+        source "",
+        inputs {
+            /// One.
+            one: boolean = true;
+            /// The other.
+            other: boolean = true;
+        }
+        outputs {
+            /// Whether it does.
+            value: boolean;
+        }
+        body |e, i| Outputs { value: i.one | i.other }
+    }
+}
+
 /// The implicit conversion of an integer to a scalar.
 pub mod integer_to_scalar {
     use crate::emit::Int;
@@ -88,6 +110,13 @@ pub fn root_definition() -> &'static Definition {
 pub fn both_code() -> BodyForms {
     static CODE: LazyLock<Option<BodyForms>> =
         LazyLock::new(|| both::definition().overloads[0].code);
+    CODE.expect("a plain node has a body")
+}
+
+/// The code of [`either`].
+pub fn either_code() -> BodyForms {
+    static CODE: LazyLock<Option<BodyForms>> =
+        LazyLock::new(|| either::definition().overloads[0].code);
     CODE.expect("a plain node has a body")
 }
 

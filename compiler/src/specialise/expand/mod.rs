@@ -182,6 +182,13 @@ impl Builder<'_> {
         let zero = self.result.uniforms.constant(0);
         let mut words = frame.words.clone();
         words.resize(self.views.input_words(view), zero);
+        // What it does not look at would only hide that it is known, or known early.
+        let reads = code.recorded().reads(words.len());
+        for (word, read) in words.iter_mut().zip(reads) {
+            if !read && matches!(word, Source::Slot(_)) {
+                *word = zero;
+            }
+        }
         let Some(inputs) = Uniforms::positions(&words) else {
             return Ok(GuardState::Where(Guard { code, words }));
         };
