@@ -25,11 +25,9 @@ pub(super) fn reads(views: &Views<'_>) -> Result<Vec<FieldSet>, SpecialiseError>
             }
             marks[view] = Mark::Open;
             let inputs = views.inputs(view);
-            let next = (input..inputs).find_map(|k| match views.resolve(view, k) {
-                Resolved::Node { view: source, .. } if marks[source] != Mark::Done => {
-                    Some((k, source))
-                }
-                _ => None,
+            let next = (input..inputs).find_map(|k| {
+                let source = views.source(view, k).filter(|&it| marks[it] != Mark::Done);
+                source.map(|source| (k, source))
             });
             match next {
                 Some((_, source)) if marks[source] == Mark::Open => {

@@ -1,7 +1,9 @@
 //! Words that are the same for every point: literals, parameters, and what is computed from them
 //! alone. Computed when parameters are bound, not when points are shaded.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
+
+use rustc_hash::FxHashMap;
 
 use crate::kernels::BodyForms;
 use crate::storage::Source;
@@ -12,7 +14,7 @@ use crate::values::Literal;
 pub struct Uniforms {
     values: Vec<u32>,
     /// Where the word with these bits stands.
-    constants: HashMap<u32, u32>,
+    constants: FxHashMap<u32, u32>,
     /// Where the first word of a parameter stands.
     parameters: BTreeMap<usize, u32>,
     computed: Vec<Computed>,

@@ -1,7 +1,9 @@
 //! One look at all nodes: those of the graph, those its inputs imply by their defaults, and the
 //! root.
 
-use std::collections::HashMap;
+use std::borrow::Cow;
+
+use rustc_hash::FxHashMap;
 
 use crate::graph::{Binding, Graph, Root};
 use crate::nodes::{DefaultValue, Definition, Kind, NodeLibrary, Overload, Signature};
@@ -29,16 +31,16 @@ pub(super) enum Resolved {
 }
 
 struct View<'a> {
-    name: String,
+    name: Cow<'a, str>,
     definition: &'a Definition,
     overload: usize,
-    bindings: Vec<Binding>,
+    bindings: Cow<'a, [Binding]>,
 }
 
 /// All nodes; the graph's first, in its order, the root last.
 pub(super) struct Views<'a> {
     views: Vec<View<'a>>,
-    implied: HashMap<&'static str, usize>,
+    implied: FxHashMap<&'static str, usize>,
 }
 
 impl<'a> Views<'a> {
@@ -54,23 +56,23 @@ impl<'a> Views<'a> {
                 return Err(inconsistent(&node.name, "its inputs are not those of its type"));
             }
             views.push(View {
-                name: node.name.clone(),
+                name: Cow::Borrowed(&node.name),
                 definition,
                 overload: node.overload,
-                bindings: node.inputs.clone(),
+                bindings: Cow::Borrowed(&node.inputs),
             });
         }
-        let mut all = Self { views, implied: HashMap::new() };
+        let mut all = Self { views, implied: FxHashMap::default() };
         let mut next = 0;
         while next < all.views.len() {
             all.imply(next, library)?;
             next += 1;
         }
         all.views.push(View {
-            name: format!("{}.{}", graph.name, root.kind.name()),
+            name: Cow::Owned(format!("{}.{}", graph.name, root.kind.name())),
             definition: internal::root_definition(),
             overload: 0,
-            bindings: vec![root.ok.clone(), root.color.clone()],
+            bindings: Cow::Owned(vec![root.ok.clone(), root.color.clone()]),
         });
         Ok(all)
     }
@@ -79,7 +81,7 @@ impl<'a> Views<'a> {
     fn imply(&mut self, view: usize, library: &'a NodeLibrary) -> Result<(), SpecialiseError> {
         let View { definition, bindings, name, .. } = &self.views[view];
         let mut missing = Vec::new();
-        for (input, binding) in definition.signature.inputs.iter().zip(bindings) {
+        for (input, binding) in definition.signature.inputs.iter().zip(bindings.iter()) {
             match (&input.default, binding) {
                 (DefaultValue::Node(implied), Binding::Default)
                     if !self.implied.contains_key(implied) =>
@@ -102,10 +104,10 @@ impl<'a> Views<'a> {
             let definition = library.definition(node_type);
             self.implied.insert(implied, self.views.len());
             self.views.push(View {
-                name: format!("({implied})"),
+                name: Cow::Owned(format!("({implied})")),
                 definition,
                 overload: 0,
-                bindings: vec![Binding::Default; definition.signature.inputs.len()],
+                bindings: vec![Binding::Default; definition.signature.inputs.len()].into(),
             });
         }
         Ok(())
@@ -180,6 +182,18 @@ impl<'a> Views<'a> {
     /// Words of all inputs.
     pub fn input_words(&self, view: usize) -> usize {
         (0..self.inputs(view)).map(|input| self.input_type(view, input).width()).sum()
+    }
+
+    /// The node an input gets its value from, if it gets it from one.
+    pub fn source(&self, view: usize, input: usize) -> Option<usize> {
+        match &self.views[view].bindings[input] {
+            Binding::Node { node, .. } => Some(*node),
+            Binding::Default => match &self.signature(view).inputs[input].default {
+                DefaultValue::Node(implied) => Some(self.implied[implied]),
+                _ => None,
+            },
+            Binding::Literal(_) | Binding::Parameter(_) => None,
+        }
     }
 
     /// What an input gets its value from.

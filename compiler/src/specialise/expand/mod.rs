@@ -4,9 +4,8 @@
 mod finish;
 mod values;
 
-use std::collections::HashMap;
-
 use cranelift_entity::PrimaryMap;
+use rustc_hash::FxHashMap;
 
 use crate::graph::{Graph, Root};
 use crate::state::{FieldSet, RayType};
@@ -40,8 +39,8 @@ pub fn expand(
         reads: &reads,
         ray_type,
         values,
-        built: HashMap::new(),
-        conversions: HashMap::new(),
+        built: FxHashMap::default(),
+        conversions: FxHashMap::default(),
         result: Specialised {
             instances: PrimaryMap::new(),
             epochs: Epochs::new(),
@@ -99,8 +98,8 @@ struct Builder<'a> {
     reads: &'a [FieldSet],
     ray_type: RayType,
     values: &'a [Literal],
-    built: HashMap<Key, Built>,
-    conversions: HashMap<Source, InstanceId>,
+    built: FxHashMap<Key, Built>,
+    conversions: FxHashMap<Source, InstanceId>,
     result: Specialised,
 }
 
