@@ -7,6 +7,7 @@ use clap::Args;
 use phenomenon_compiler::check::{Checked, check_graph};
 use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::all_mistakes;
+use phenomenon_compiler::engine::jit::JitError;
 use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -151,6 +152,11 @@ pub fn compile(
     let name = graph.name.clone();
     let shader = Shader::new(Arc::new(graph), values, options);
     shader.map_err(|error| not_compiled(&name, &error))
+}
+
+/// The failure of the jit to make the code of a graph that is shaded already.
+pub fn jit_failed(error: &JitError) -> Failure {
+    Failure::new(format!("the jit cannot run this graph: {error}"), "use `--engine batch`")
 }
 
 /// The failure of a graph that cannot be compiled.

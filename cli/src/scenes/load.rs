@@ -53,6 +53,15 @@ impl Picture {
         evaluations
     }
 
+    /// Fails where the jit was asked for and could not make the code of some material.
+    ///
+    /// # Errors
+    /// What it could not do.
+    pub fn require_jit(&self) -> Result<(), Failure> {
+        let mut failures = self.shaders.iter().filter_map(|shader| shader.jit_failure());
+        failures.next().map_or(Ok(()), |error| Err(graphs::jit_failed(error)))
+    }
+
     /// Points shaded by each engine; `all` is their number, which a monolith does not count itself.
     pub fn points(&self, engine: EngineChoice, all: u64) -> Vec<(&'static str, u64)> {
         if engine == EngineChoice::Monolith {

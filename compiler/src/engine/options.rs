@@ -6,14 +6,15 @@ use crate::graph::RootKind;
 /// Which engine runs a graph.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Engine {
-    /// Batch at once, jit as soon as its code is ready.
+    /// Batch at once, jit as soon as its code is ready; it is made when the first point of a root and ray
+    /// type is shaded.
     #[default]
     Auto,
     /// A tree walk with a cache, one point at a time, as mi_eval does it.
     Walk,
     /// A schedule run by kernels compiled from the node bodies, eight points wide.
     Batch,
-    /// The same schedule compiled to machine code.
+    /// The same schedule compiled to machine code, when the first point of a root and ray type is shaded.
     Jit,
 }
 

@@ -1,8 +1,8 @@
 //! A graph compiled for an engine.
 
 use std::collections::BTreeSet;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock, Weak};
 use std::time::Instant;
 
 use crate::effects::{EffectSet, Renderer};
@@ -42,9 +42,11 @@ pub struct Shader {
     graph: Arc<Graph>,
     values: Vec<Literal>,
     options: Options,
+    /// Who makes the machine code, if there is to be any.
+    generator: Option<Generator>,
     programs: Vec<Compiled>,
     /// Nanoseconds it took to compile, the jit of `auto` aside.
-    compile_nanoseconds: u64,
+    compile_nanoseconds: AtomicU64,
     counts: Counts,
 }
 
@@ -71,6 +73,8 @@ struct Compiled {
     ray_type: Option<RayType>,
     uniforms: Uniforms,
     links: FirstLinks,
+    /// The uniform words and what the plan's code reads besides, once points were shaded under these values.
+    words: OnceLock<Vec<u32>>,
     code: Arc<RootCode>,
 }
 
@@ -81,7 +85,10 @@ struct RootCode {
     walk: Option<walk::Code>,
     /// For the other engines.
     schedule: Option<Schedule>,
-    plan: OnceLock<Option<Plan>>,
+    /// Made when the first point is shaded; see [`Shader::plan`].
+    plan: OnceLock<Result<Plan, JitError>>,
+    /// Whether the background was asked for the plan.
+    asked: AtomicBool,
 }
 
 impl Shader {
@@ -96,8 +103,9 @@ impl Shader {
             values: defaults.collect(),
             graph,
             options,
+            generator: None,
             programs: Vec::new(),
-            compile_nanoseconds: 0,
+            compile_nanoseconds: AtomicU64::new(0),
             counts: Counts::default(),
         };
         for (name, value) in values {
@@ -108,7 +116,8 @@ impl Shader {
     }
 
     /// Sets a parameter. Compiles again only if a condition that shaped the code now falls
-    /// otherwise (a weight becomes 0, a switch turns). After an error all is as it was.
+    /// otherwise (a weight becomes 0, a switch turns); machine code is kept otherwise. After an error all
+    /// is as it was.
     pub fn set(&mut self, name: &str, value: &Literal) -> Result<(), ShaderError> {
         let before = self.values.clone();
         self.take(name, value)?;
@@ -116,6 +125,9 @@ impl Shader {
         // Light lists are part of the code.
         let in_code = value.value_type().is_in_code();
         if !in_code && self.programs.iter_mut().all(|program| program.uniforms.rebind(values)) {
+            for program in &mut self.programs {
+                program.words.take();
+            }
             return Ok(());
         }
         let compiled = self.compile();
@@ -136,7 +148,20 @@ impl Shader {
 
     /// Time spent compiling, in milliseconds; what `auto` compiles in the background aside.
     pub fn compile_milliseconds(&self) -> f64 {
-        self.compile_nanoseconds as f64 * 1e-6
+        self.compile_nanoseconds.load(Ordering::Relaxed) as f64 * 1e-6
+    }
+
+    /// The plans made so far: one for each root and ray type of which points were shaded.
+    pub fn plans(&self) -> impl Iterator<Item = &Plan> {
+        self.programs.iter().filter_map(|program| program.code.plan.get()?.as_ref().ok())
+    }
+
+    /// Why points for which the jit was asked were shaded by kernels, with the same results; none if all
+    /// went well. `auto` asks for nothing.
+    pub fn jit_failure(&self) -> Option<&JitError> {
+        let asked = self.options.engine == Engine::Jit;
+        let mut programs = self.programs.iter().filter(|_| asked);
+        programs.find_map(|program| program.code.plan.get()?.as_ref().err())
     }
 
     /// Points shaded so far, by the engine that shaded them.
@@ -158,19 +183,22 @@ impl Shader {
 
     /// The schedules of all roots, as text.
     pub fn print(&self) -> String {
-        self.print_with(Schedule::to_string)
+        self.print_with(|schedule, _| schedule.to_string())
     }
 
     /// What the jit makes of the schedules of all roots, as text: operations, and steps that stay kernels.
     pub fn print_pieces(&self) -> String {
         let Options { batch, generator, .. } = self.options;
         let generator = generator.unwrap_or(Generator::Native);
-        self.print_with(|schedule| Pieces::of(schedule, batch, generator, &[]).to_string())
+        self.print_with(|schedule, uniforms| {
+            Pieces::of(schedule, uniforms, batch, generator, &[]).to_string()
+        })
     }
 
-    fn print_with(&self, text: impl Fn(&Schedule) -> String) -> String {
+    fn print_with(&self, text: impl Fn(&Schedule, usize) -> String) -> String {
         let print = |program: &Compiled| {
-            let schedule = program.code.schedule.as_ref().map(&text);
+            let uniforms = program.uniforms.values().len();
+            let schedule = program.code.schedule.as_ref().map(|schedule| text(schedule, uniforms));
             let ray_type = program.ray_type.map_or(String::new(), |of| format!(" for {of:?} rays"));
             format!("{}{ray_type}\n{}", program.root.name(), schedule.unwrap_or_default())
         };
@@ -187,6 +215,7 @@ impl Shader {
 
     fn compile(&mut self) -> Result<(), ShaderError> {
         let start = Instant::now();
+        self.generator = self.generator()?;
         let mut programs: Vec<Compiled> = Vec::new();
         let mut links = FirstLinks::default();
         for root in self.graph.roots.iter().filter(|root| self.options.roots.contains(&root.kind)) {
@@ -206,30 +235,49 @@ impl Shader {
             }
         }
         self.programs = programs;
-        if self.options.engine == Engine::Auto {
-            match Generator::chosen(self.options.generator) {
-                Ok(generator) => self.plan_in_background(generator),
-                // Who asks for one by name is told; else kernels do.
-                Err(error) if self.options.generator.is_some() => return Err(error.into()),
-                Err(_) => {}
-            }
-        }
-        self.compile_nanoseconds += start.elapsed().as_nanos() as u64;
+        self.count_compiling(start);
         Ok(())
     }
 
-    /// Compiles machine code while kernels run already, unless the program is gone when its turn
-    /// comes. A plan that fails leaves the kernels running: same bits.
-    fn plan_in_background(&self, generator: Generator) {
-        let options = self.options;
-        for program in &self.programs {
-            let code = Arc::downgrade(&program.code);
-            worker::enqueue(move || {
-                if let Some(code) = code.upgrade() {
-                    code.plan.get_or_init(|| code.plan(options, generator).ok().flatten());
-                }
-            });
+    /// Who makes the machine code; none where kernels are to do without.
+    fn generator(&self) -> Result<Option<Generator>, JitError> {
+        let Options { engine, generator: asked, .. } = self.options;
+        match (engine, Generator::chosen(asked)) {
+            (Engine::Walk | Engine::Batch, _) => Ok(None),
+            (_, Ok(generator)) => Ok(Some(generator)),
+            // Who asks for one by name is told.
+            (Engine::Auto, Err(_)) if asked.is_none() => Ok(None),
+            (_, Err(error)) => Err(error),
         }
+    }
+
+    fn count_compiling(&self, since: Instant) {
+        let nanoseconds = since.elapsed().as_nanos() as u64;
+        self.compile_nanoseconds.fetch_add(nanoseconds, Ordering::Relaxed);
+    }
+
+    /// The plan by which a program is to be run, if it is to be run by one.
+    ///
+    /// With `jit`, whoever shades the first points makes it, and others wait for it. With `auto`, the first
+    /// points are shaded by kernels, and it is made in the background meanwhile. Where it cannot be
+    /// made, kernels run on, with the same bits; see [`Shader::jit_failure`].
+    fn plan<'a>(&self, code: &'a Arc<RootCode>, schedule: &Schedule) -> Option<&'a Plan> {
+        let generator = self.generator?;
+        let plan = if self.options.engine == Engine::Jit {
+            Some(code.plan.get_or_init(|| {
+                let start = Instant::now();
+                let plan = code.new_plan(schedule, self.options, generator);
+                self.count_compiling(start);
+                plan
+            }))
+        } else {
+            let plan = code.plan.get();
+            if plan.is_none() && !code.asked.swap(true, Ordering::Relaxed) {
+                plan_in_background(Arc::downgrade(code), self.options, generator);
+            }
+            plan
+        };
+        plan.and_then(|plan| plan.as_ref().ok())
     }
 
     fn compile_root(
@@ -243,18 +291,10 @@ impl Shader {
         let Options { engine, simd, .. } = self.options;
         let walk = (engine == Engine::Walk).then(|| walk::Code::new(&specialised, simd));
         let schedule = (engine != Engine::Walk).then(|| schedule(&specialised));
-        let code = Arc::new(RootCode { specialised, walk, schedule, plan: OnceLock::new() });
-        match engine {
-            Engine::Jit => {
-                let generator = Generator::chosen(self.options.generator)?;
-                if let Some(plan) = code.plan(self.options, generator)? {
-                    // Nobody else holds this code yet, so the lock is empty.
-                    let _ = code.plan.set(Some(plan));
-                }
-            }
-            Engine::Auto | Engine::Walk | Engine::Batch => {}
-        }
-        Ok(Compiled { root: root.kind, ray_type: None, uniforms, links, code })
+        let (plan, asked) = (OnceLock::new(), AtomicBool::new(false));
+        let code = Arc::new(RootCode { specialised, walk, schedule, plan, asked });
+        let words = OnceLock::new();
+        Ok(Compiled { root: root.kind, ray_type: None, uniforms, links, words, code })
     }
 
     fn program(&self, root: RootKind, ray_type: RayType) -> Option<&Compiled> {
@@ -275,14 +315,29 @@ impl Count {
 }
 
 impl RootCode {
-    fn plan(&self, options: Options, generator: Generator) -> Result<Option<Plan>, JitError> {
+    fn new_plan(
+        &self,
+        schedule: &Schedule,
+        options: Options,
+        generator: Generator,
+    ) -> Result<Plan, JitError> {
         let Options { simd, batch, count, .. } = options;
         let uniforms = self.specialised.uniforms.values().len();
         // Who wants what is found from the words of guards.
         let kept = if count { self.specialised.guard_words() } else { Vec::new() };
-        let plan = |schedule| Plan::new(schedule, uniforms, simd, batch, generator, &kept);
-        self.schedule.as_ref().map(plan).transpose()
+        Plan::new(schedule, uniforms, simd, batch, generator, &kept)
     }
+}
+
+/// Makes a plan while kernels run already, unless the program is gone when its turn comes.
+fn plan_in_background(code: Weak<RootCode>, options: Options, generator: Generator) {
+    worker::enqueue(move || {
+        if let Some(code) = code.upgrade()
+            && let Some(schedule) = &code.schedule
+        {
+            code.plan.get_or_init(|| code.new_plan(schedule, options, generator));
+        }
+    });
 }
 
 impl Shade for Shader {
@@ -330,7 +385,7 @@ impl Shade for Shader {
             results.fill(Shaded::default());
             return;
         };
-        let RootCode { walk, schedule, plan, specialised } = &*program.code;
+        let RootCode { walk, schedule, specialised, .. } = &*program.code;
         let uniforms = program.uniforms.values();
         let links = links.from(program.links);
         let Options { simd, batch, count, .. } = self.options;
@@ -341,9 +396,12 @@ impl Shade for Shader {
             self.counts.walk.add(points.len(), count.then_some(evaluations));
         }
         let Some(schedule) = schedule else { return };
-        let (runner, counts) = match plan.get() {
-            Some(Some(plan)) => (Runner::Jit(plan), &self.counts.jit),
-            _ => (Runner::Kernels(simd), &self.counts.batch),
+        let (runner, uniforms, counts) = match self.plan(&program.code, schedule) {
+            Some(plan) => {
+                let words = program.words.get_or_init(|| plan.uniform_words(uniforms));
+                (Runner::Jit(plan), words.as_slice(), &self.counts.jit)
+            }
+            None => (Runner::Kernels(simd), uniforms, &self.counts.batch),
         };
         let counted = count.then_some(specialised);
         let program = Program { schedule, uniforms, runner, batch, counted };

@@ -5,7 +5,7 @@ use super::recorded::{Kept, Recorded, recorder};
 use super::{block, point, sets};
 use crate::emit::interval::Word;
 use crate::emit::{Body, MAX_OUTPUTS};
-use crate::ops::{OpId, Tape};
+use crate::ops::{OpId, Tape, fold};
 use crate::storage::{Lanes, Placement};
 
 /// One body in every form. Two are native code, where the CPU has what they are compiled for; the others
@@ -82,9 +82,14 @@ impl BodyForms {
         self.kept.recorded()
     }
 
-    /// Appends its operations to a tape.
-    pub fn record(&self, tape: &Tape, inputs: &[OpId], outputs: &mut [OpId]) {
-        self.recorded().replay(tape, inputs, outputs);
+    /// Appends its operations to a tape, legal and folded. `ids` is room for positions, taken along from
+    /// body to body.
+    pub fn record(&self, tape: &Tape, inputs: &[OpId], outputs: &mut [OpId], ids: &mut Vec<OpId>) {
+        let legal = self.recorded().legal();
+        fold::onto(tape, &legal.ops, |word| inputs[word as usize], ids);
+        for (output, &(_, id)) in outputs.iter_mut().zip(&legal.stores) {
+            *output = ids[id as usize];
+        }
     }
 
     /// One point, on any CPU.
@@ -102,7 +107,8 @@ impl BodyForms {
         sets::run(self.recorded(), inputs, outputs);
     }
 
-    /// Runs the body itself over a tape, as [`BodyForms::record`] repeats it: what tests hold that to.
+    /// Runs the body itself over a tape, neither legal nor folded unless the tape does it: what tests hold
+    /// [`BodyForms::record`] to.
     pub fn record_anew(&self, tape: &Tape, inputs: &[OpId], outputs: &mut [OpId]) {
         self.kept.record_anew(tape, inputs, outputs);
     }

@@ -1,11 +1,12 @@
 //! What a body recorded, once, for all that evaluates operations instead of running it.
 
-use std::collections::HashMap;
 use std::sync::{LazyLock, OnceLock, PoisonError, RwLock};
 
+use rustc_hash::FxHashMap;
+
 use crate::emit::Body;
-use crate::ops::legalise::replay;
-use crate::ops::{Op, OpId, Tape, TapeInputs};
+use crate::ops::legalise::legalise;
+use crate::ops::{Op, OpId, OpSegment, Tape, TapeInputs};
 
 /// Runs a body over a tape.
 pub(super) type Recorder = fn(inputs: &TapeInputs<'_>, outputs: &mut [OpId]);
@@ -33,7 +34,7 @@ impl Kept {
     /// It is known by its address. Compilers fold functions only where their code is the same, which
     /// then records the same; several addresses of one function cost nothing but memory.
     pub fn of(recorder: Recorder, outputs: usize, fixed: &[(usize, i32)]) -> &'static Self {
-        type All = HashMap<(usize, usize, Fixed), &'static Kept>;
+        type All = FxHashMap<(usize, usize, Fixed), &'static Kept>;
         static ALL: LazyLock<RwLock<All>> = LazyLock::new(RwLock::default);
         let key = (recorder as usize, outputs, Fixed::from(fixed));
         let known = ALL.read().unwrap_or_else(PoisonError::into_inner).get(&key).copied();
@@ -57,7 +58,7 @@ impl Kept {
             let tape = Tape::new();
             let mut ids = vec![0; self.outputs];
             (self.recorder)(&TapeInputs::loads(&tape).with_fixed(&self.fixed), &mut ids);
-            Recorded { ops: tape.into_ops(), outputs: ids, weight: OnceLock::new() }
+            Recorded { ops: tape.into_ops(), outputs: ids, legal: OnceLock::new() }
         })
     }
 
@@ -74,16 +75,22 @@ pub struct Recorded {
     pub ops: Vec<Op>,
     /// Which of them the outputs are.
     pub outputs: Vec<OpId>,
-    weight: OnceLock<usize>,
+    legal: OnceLock<Legal>,
+}
+
+/// The same in operations of 32 bits.
+#[derive(Debug)]
+struct Legal {
+    /// Output word `n` is stored to slot `n`.
+    segment: OpSegment,
+    weight: usize,
 }
 
 impl Recorded {
-    /// Records the operations on another tape, for these inputs there.
-    pub fn replay(&self, tape: &Tape, inputs: &[OpId], outputs: &mut [OpId]) {
-        let ids = replay(&self.ops, tape, |word| inputs[word as usize]);
-        for (output, &id) in outputs.iter_mut().zip(&self.outputs) {
-            *output = ids[id as usize];
-        }
+    /// The operations of 32 bits that machines have: functions expanded, constants rounded. `Load(n)` is
+    /// input word `n`, and output word `n` is stored to slot `n`.
+    pub fn legal(&self) -> &OpSegment {
+        &self.legalised().segment
     }
 
     /// Of that many input words, which the outputs depend on.
@@ -103,10 +110,16 @@ impl Recorded {
 
     /// Number of operations once functions are expanded, those that only fetch a word aside.
     pub fn weight(&self) -> usize {
-        *self.weight.get_or_init(|| {
-            let tape = Tape::standard();
-            replay(&self.ops, &tape, |word| tape.push(Op::Load(word)));
-            tape.into_ops().iter().filter(|op| !op.is_fetch()).count()
+        self.legalised().weight
+    }
+
+    fn legalised(&self) -> &Legal {
+        self.legal.get_or_init(|| {
+            let stores = (0..).zip(self.outputs.iter().copied()).collect();
+            let ops = self.ops.clone();
+            let segment = legalise(&OpSegment { ops, stores, ..OpSegment::default() });
+            let weight = segment.ops.iter().filter(|op| !op.is_fetch()).count();
+            Legal { segment, weight }
         })
     }
 }

@@ -283,7 +283,9 @@ macro_rules! node {
         inputs
     }};
     (@body_impl [$($bound:tt)*] $body:ident $shape:ty, $outputs:expr, |$emit:ident, $words:ident, $sink:ident| $run:block) => {
-        struct $body<S>(std::marker::PhantomData<S>);
+        #[doc = "Code of the node, over the type its generic inputs have."]
+        #[derive(Debug)]
+        pub struct $body<S>(std::marker::PhantomData<S>);
 
         impl<$($bound)*> $crate::emit::Body for $body<$shape> {
             const OUTPUTS: usize = $outputs;

@@ -8,7 +8,7 @@ pub fn remove(segment: &OpSegment) -> OpSegment {
     let mut sources = Vec::new();
     let mut new_source = vec![None; segment.sources.len()];
     let mut new_id: Vec<OpId> = vec![0; segment.ops.len()];
-    let mut ops = Vec::new();
+    let mut ops = Vec::with_capacity(segment.ops.len());
     for (id, &op) in segment.ops.iter().enumerate() {
         if !live[id] {
             continue;

@@ -16,15 +16,26 @@ const ALL: u32 = u32::MAX;
 
 /// The segment folded; dead operations stay, see [`super::dead`].
 pub fn fold(segment: &OpSegment) -> OpSegment {
-    let tape = Tape::new();
-    let mut new_id: Vec<OpId> = Vec::with_capacity(segment.ops.len());
-    for &op in &segment.ops {
-        let id = push(&tape, op.map_operands(|id| new_id[id as usize]));
-        new_id.push(id);
-    }
-    let stores = segment.stores.iter().map(|&(slot, id)| (slot, new_id[id as usize])).collect();
+    let tape = Tape::with_capacity(segment.ops.len());
+    let mut ids = Vec::new();
+    onto(&tape, &segment.ops, |source| tape.push(Op::Load(source)), &mut ids);
+    let stores = segment.stores.iter().map(|&(slot, id)| (slot, ids[id as usize])).collect();
     let (sources, wanted) = (segment.sources.clone(), segment.wanted.clone());
     OpSegment { ops: tape.into_ops(), sources, stores, wanted }
+}
+
+/// Records operations, folded, on `tape`, where `load` gives what [`Op::Load`] stands for. `ids` takes the
+/// new position of each.
+pub fn onto(tape: &Tape, ops: &[Op], mut load: impl FnMut(u32) -> OpId, ids: &mut Vec<OpId>) {
+    ids.clear();
+    ids.reserve(ops.len());
+    for &op in ops {
+        let id = match op {
+            Op::Load(source) => load(source),
+            op => push(tape, op.map_operands(|id| ids[id as usize])),
+        };
+        ids.push(id);
+    }
 }
 
 /// What an operation is the same as.

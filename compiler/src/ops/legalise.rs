@@ -8,33 +8,27 @@ use super::{Class, Op, OpId, OpSegment, Tape};
 /// The segment in operations of 32 bits, in the same order; what it has in common is found again.
 pub fn legalise(segment: &OpSegment) -> OpSegment {
     let tape = Tape::standard();
-    let ids = replay(&segment.ops, &tape, |source| tape.push(Op::Load(source)));
+    let mut replay = Replay { tape: &tape, ids: Vec::with_capacity(segment.ops.len()) };
+    for &op in &segment.ops {
+        let id = apply(op, &tape, &replay);
+        replay.ids.push(id);
+    }
+    let ids = replay.ids;
     let stores = segment.stores.iter().map(|&(slot, id)| (slot, ids[id as usize])).collect();
     let (sources, wanted) = (segment.sources.clone(), segment.wanted.clone());
     OpSegment { ops: tape.into_ops(), sources, stores, wanted }
 }
 
-/// Records operations again, on another tape, where `load` gives what [`Op::Load`] stands for; for each
-/// of them its new position.
-pub fn replay(ops: &[Op], tape: &Tape, load: impl Fn(u32) -> OpId) -> Vec<OpId> {
-    let mut replay = Replay { tape, load, ids: Vec::with_capacity(ops.len()) };
-    for &op in ops {
-        let id = apply(op, tape, &replay);
-        replay.ids.push(id);
-    }
-    replay.ids
-}
-
-struct Replay<'t, L> {
+/// What was recorded on the other tape already.
+struct Replay<'t> {
     tape: &'t Tape,
-    load: L,
     ids: Vec<OpId>,
 }
 
-impl<'t, L: Fn(u32) -> OpId> Registers<&'t Tape> for Replay<'t, L> {
+impl<'t> Registers<&'t Tape> for Replay<'t> {
     type Word = OpId;
     fn load(&self, source: u32) -> OpId {
-        (self.load)(source)
+        self.tape.push(Op::Load(source))
     }
     fn constant(&self, bits: u32) -> OpId {
         self.tape.push(Op::Constant(bits))

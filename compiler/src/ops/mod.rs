@@ -9,7 +9,10 @@ mod table;
 
 pub mod apply;
 pub mod dead;
+pub mod evaluate;
 pub mod fold;
+pub mod hoist;
+mod index;
 pub mod interpret;
 pub mod legalise;
 mod op;

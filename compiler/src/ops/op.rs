@@ -200,7 +200,7 @@ impl Op {
 }
 
 /// A pure piece of a shader program: what is computed between two requests.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct OpSegment {
     /// The operations; operands come before their users.
     pub ops: Vec<Op>,

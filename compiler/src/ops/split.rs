@@ -9,8 +9,6 @@
 //! A value needed past a cut is stored to a scratch slot at the end of its part and loaded where
 //! it is needed; constants and loads are repeated instead.
 
-use std::collections::{HashMap, HashSet};
-
 use super::{Op, OpId, OpSegment};
 use crate::storage::Source;
 
@@ -92,8 +90,8 @@ struct Splitter<'a> {
     ends: &'a [usize],
     /// The part each operation is computed in.
     home: Vec<usize>,
-    /// Slots the segment reads.
-    read: HashSet<u32>,
+    /// Slots the segment reads, in order.
+    read: Vec<u32>,
     /// The stores each part performs.
     stores: Vec<Vec<(u32, OpId)>>,
     /// The last part that needs it.
@@ -122,9 +120,11 @@ impl<'a> Splitter<'a> {
             Source::Slot(slot) => Some(*slot),
             Source::Uniform(_) | Source::Constant { .. } => None,
         });
+        let mut read: Vec<u32> = read.collect();
+        read.sort_unstable();
         let splitter = Self {
             segment,
-            read: read.collect(),
+            read,
             stores: vec![Vec::new(); ends.len()],
             ends,
             home,
@@ -140,7 +140,8 @@ impl<'a> Splitter<'a> {
     /// The part that performs a store: where its value is computed, or the last one if the slot
     /// is also read, so that every load still comes before.
     fn store_part(&self, slot: u32, id: OpId) -> usize {
-        if self.read.contains(&slot) { self.ends.len() - 1 } else { self.home[id as usize] }
+        let is_read = self.read.binary_search(&slot).is_ok();
+        if is_read { self.ends.len() - 1 } else { self.home[id as usize] }
     }
 
     fn with_late_stores(mut self) -> Self {
@@ -154,26 +155,44 @@ impl<'a> Splitter<'a> {
     }
 
     fn run(mut self) -> Split {
-        let parts = (0..self.ends.len()).map(|part| self.part(part)).collect();
+        let crossing = self.crossing();
+        let mut crossing = crossing.as_slice();
+        let mut writer = Writer::new(self.segment);
+        let mut parts = Vec::with_capacity(self.ends.len());
+        for part in 0..self.ends.len() {
+            parts.push(self.part(part, &mut writer));
+            let after = crossing.partition_point(|&id| self.last[id] <= part);
+            let (done, rest) = crossing.split_at(after);
+            done.iter().for_each(|&id| self.free.extend(self.kept[id]));
+            crossing = rest;
+        }
         Split { parts, scratch: self.scratch }
     }
 
-    fn part(&mut self, part: usize) -> OpSegment {
+    /// What is needed past the part it is computed in, in the order in which it is no longer needed.
+    fn crossing(&self) -> Vec<usize> {
+        let ids = 0..self.segment.ops.len();
+        let mut crossing: Vec<usize> = ids.filter(|&id| self.last[id] > self.home[id]).collect();
+        crossing.sort_by_key(|&id| self.last[id]);
+        crossing
+    }
+
+    fn part(&mut self, part: usize, writer: &mut Writer) -> OpSegment {
         let start = if part == 0 { 0 } else { self.ends[part - 1] };
         let end = self.ends[part];
-        let mut writer = Writer::default();
+        writer.start(part);
         // Blocks are wanted by all parts or by none.
         writer.segment.wanted.clone_from(&self.segment.wanted);
         for id in start..end {
             // Fetches are repeated where they are used.
             let op = self.segment.ops[id];
             if !op.is_fetch() {
-                let op = op.map_operands(|operand| self.operand(&mut writer, operand));
+                let op = op.map_operands(|operand| self.operand(writer, operand));
                 writer.push(id as OpId, op);
             }
         }
         for &(slot, id) in &self.stores[part] {
-            let id = self.operand(&mut writer, id);
+            let id = self.operand(writer, id);
             writer.segment.stores.push((slot, id));
         }
         // Slots are given back only after those of this part are taken: within a part no slot is
@@ -182,16 +201,11 @@ impl<'a> Splitter<'a> {
             if self.last[id] > part && !self.segment.ops[id].is_fetch() {
                 let slot = self.take();
                 self.kept[id] = Some(slot);
-                let id = self.operand(&mut writer, id as OpId);
+                let id = self.operand(writer, id as OpId);
                 writer.segment.stores.push((slot, id));
             }
         }
-        for id in 0..end {
-            if self.last[id] == part && self.home[id] < part {
-                self.free.extend(self.kept[id]);
-            }
-        }
-        writer.segment
+        std::mem::take(&mut writer.segment)
     }
 
     fn take(&mut self) -> u32 {
@@ -203,40 +217,70 @@ impl<'a> Splitter<'a> {
 
     /// The operation in the part being written that has the word of `id`.
     fn operand(&self, writer: &mut Writer, id: OpId) -> OpId {
-        if let Some(&known) = writer.known.get(&id) {
+        if let Some(known) = writer.known(id) {
             return known;
         }
         let op = match (self.segment.ops[id as usize], self.kept[id as usize]) {
-            (Op::Load(source), _) => writer.load(self.segment.sources[source as usize]),
-            (_, Some(slot)) => writer.load(Source::Slot(slot)),
+            (Op::Load(source), _) => writer.load(source, self.segment.sources[source as usize]),
+            (_, Some(slot)) => writer.load_slot(slot),
             (op, None) => op,
         };
         writer.push(id, op)
     }
 }
 
-/// A part being written.
-#[derive(Default)]
+/// A part being written. What it knows of the whole is kept from part to part, with the part it is true
+/// of.
 struct Writer {
     segment: OpSegment,
-    /// Operations of the whole by operations of the part.
-    known: HashMap<OpId, OpId>,
-    sources: HashMap<Source, u32>,
+    part: usize,
+    /// Operations of the part by operations of the whole.
+    known: Vec<(usize, OpId)>,
+    /// Sources of the part by sources of the whole.
+    sources: Vec<(usize, u32)>,
 }
 
+/// Of no part.
+const NEVER: (usize, u32) = (usize::MAX, 0);
+
 impl Writer {
+    fn new(whole: &OpSegment) -> Self {
+        Self {
+            segment: OpSegment::default(),
+            part: 0,
+            known: vec![NEVER; whole.ops.len()],
+            sources: vec![NEVER; whole.sources.len()],
+        }
+    }
+
+    fn start(&mut self, part: usize) {
+        self.part = part;
+    }
+
+    fn known(&self, whole: OpId) -> Option<OpId> {
+        let (part, id) = self.known[whole as usize];
+        (part == self.part).then_some(id)
+    }
+
     fn push(&mut self, whole: OpId, op: Op) -> OpId {
         let id = self.segment.ops.len() as OpId;
         self.segment.ops.push(op);
-        self.known.insert(whole, id);
+        self.known[whole as usize] = (self.part, id);
         id
     }
 
-    fn load(&mut self, source: Source) -> Op {
-        let sources = &mut self.segment.sources;
-        Op::Load(*self.sources.entry(source).or_insert_with(|| {
-            sources.push(source);
-            sources.len() as u32 - 1
-        }))
+    fn load(&mut self, whole: u32, source: Source) -> Op {
+        let known = &mut self.sources[whole as usize];
+        if known.0 != self.part {
+            self.segment.sources.push(source);
+            *known = (self.part, self.segment.sources.len() as u32 - 1);
+        }
+        Op::Load(known.1)
+    }
+
+    /// Loads what an earlier part kept; once in a part, for the operation is known then.
+    fn load_slot(&mut self, slot: u32) -> Op {
+        self.segment.sources.push(Source::Slot(slot));
+        Op::Load(self.segment.sources.len() as u32 - 1)
     }
 }

@@ -1,9 +1,9 @@
 //! The recording back end: running a body on it appends operations to a tape.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Not, Sub};
 
+use super::index::Index;
 use super::{Number, Op, OpId};
 use crate::emit::{Bits, Emit, Int, Mask, Real, Select, Sink, Table, Words, standard};
 
@@ -18,13 +18,20 @@ pub struct Tape {
 #[derive(Debug, Default)]
 struct Inner {
     ops: Vec<Op>,
-    known: HashMap<Op, OpId>,
+    index: Index,
 }
 
 impl Tape {
     /// An empty tape.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// An empty tape with room for that many operations.
+    pub fn with_capacity(operations: usize) -> Self {
+        let index = Index::with_capacity(operations);
+        let inner = RefCell::new(Inner { ops: Vec::with_capacity(operations), index });
+        Self { inner, standard: false }
     }
 
     /// An empty tape of the standard tier's operations of 32 bits; see [`super::legalise`].
@@ -34,14 +41,8 @@ impl Tape {
 
     /// Records `op`, or finds it.
     pub fn push(&self, op: Op) -> OpId {
-        let mut inner = self.inner.borrow_mut();
-        if let Some(&id) = inner.known.get(&op) {
-            return id;
-        }
-        let id = inner.ops.len() as OpId;
-        inner.ops.push(op);
-        inner.known.insert(op, id);
-        id
+        let Inner { ops, index } = &mut *self.inner.borrow_mut();
+        index.find_or_push(ops, op)
     }
 
     /// The operation at `id`.

@@ -31,7 +31,7 @@ pub enum Source {
 }
 
 /// The shape of a file: how many words lie before its blocks, and how many in each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FileShape {
     /// Uniform words before the first block.
     pub uniforms: usize,

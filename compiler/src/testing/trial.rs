@@ -157,7 +157,7 @@ impl Trial {
         let loads: Vec<_> =
             (0..self.points[0].len() as u32).map(|n| tape.push(Op::Load(n))).collect();
         let mut results = vec![0; code.outputs];
-        code.record(&tape, &loads, &mut results);
+        code.record(&tape, &loads, &mut results, &mut Vec::new());
         let ops = tape.into_ops();
         (self.points.iter())
             .map(|point| {

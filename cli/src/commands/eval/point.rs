@@ -84,6 +84,6 @@ impl Point<'_> {
         let mut scene = EmptyScene::new(&shader.textures())
             .map_err(|error| Failure::new(error, "mend the file, or name another"))?;
         shader.shade(kind, &[self.state], &mut scene, &mut results);
-        Ok(results[0])
+        shader.jit_failure().map_or(Ok(results[0]), |error| Err(graphs::jit_failed(error)))
     }
 }

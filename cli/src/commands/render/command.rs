@@ -138,6 +138,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let settings = settings(arguments, &picture);
     let start = Instant::now();
     let rendered = render(&picture, &settings, arguments)?;
+    picture.require_jit()?;
     let cost = Cost {
         engine: arguments.engine.engine,
         settings,

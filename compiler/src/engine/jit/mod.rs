@@ -8,6 +8,8 @@ mod generator;
 mod native;
 mod pieces;
 mod plan;
+mod recorder;
+mod shared;
 pub(super) mod worker;
 
 pub use code::JitCode;

@@ -1,14 +1,16 @@
 //! A schedule cut into what the jit fuses and what it leaves to kernels, before any machine code.
 
-use std::collections::HashMap;
 use std::fmt;
 
 use cranelift_entity::PrimaryMap;
 
-use super::Generator;
-use crate::ops::{Op, OpId, OpSegment, Tape, dead, fold, legalise, split, verify};
-use crate::schedule::{Item, Loop, Request, Schedule, Segment, SegmentId, Step};
+use crate::ops::hoist::{Hoisted, Hoister};
+use crate::ops::{OpSegment, dead, split, verify};
+use crate::schedule::{Item, Loop, Request, Schedule, Segment, SegmentId};
 use crate::storage::Source;
+
+use super::Generator;
+use super::recorder::Recorder;
 
 /// Bodies of more operations run as kernels beside Cranelift's code: eight lanes beat four there. A kernel has a
 /// price for each call, which few points share in a small batch.
@@ -31,6 +33,8 @@ pub struct Pieces {
     pub segments: PrimaryMap<SegmentId, Vec<Piece>>,
     /// The operations of what is fused.
     pub functions: Vec<OpSegment>,
+    /// What of them is computed when parameters are bound.
+    pub hoisted: Hoisted,
     /// Slots the functions need besides those of the schedule.
     pub scratch: u32,
 }
@@ -52,9 +56,15 @@ enum Stretch {
 }
 
 impl Pieces {
-    /// Cuts `schedule` for a generator, to be run over at most `batch` points at once. These words are kept in
-    /// the file, whoever reads them.
-    pub fn of(schedule: &Schedule, batch: usize, generator: Generator, kept: &[Source]) -> Self {
+    /// Cuts `schedule`, of a program of that many uniform words, for a generator, to be run over at most
+    /// `batch` points at once. The words of `kept` are kept in the file, whoever reads them.
+    pub fn of(
+        schedule: &Schedule,
+        uniforms: usize,
+        batch: usize,
+        generator: Generator,
+        kept: &[Source],
+    ) -> Self {
         let heavy = match generator {
             Generator::Native => HEAVY_OPS_OF_NATIVE,
             Generator::Cranelift if batch < SMALL_BATCH => HEAVY_OPS_OF_FEW,
@@ -64,6 +74,8 @@ impl Pieces {
         let stretches: Vec<_> = segments.map(|segment| stretches(segment, heavy)).collect();
         let readers = Readers::new(schedule, &stretches, kept);
         let mut pieces = Self::default();
+        let mut recorder = Recorder::new(schedule.slots);
+        let mut hoister = Hoister::new(uniforms as u32);
         let mut number = 0;
         for (segment, stretches) in schedule.segments.values().zip(&stretches) {
             let mut in_order = Vec::new();
@@ -71,7 +83,13 @@ impl Pieces {
                 match *stretch {
                     Stretch::Heavy(step) => in_order.push(Piece::Kernel(step)),
                     Stretch::Light { from, to } => {
-                        let ops = prepared(&segment.steps[from..to], number, &readers);
+                        let stored = |slot| readers.outside(slot, number);
+                        let ops = recorder.record(&segment.steps[from..to], stored);
+                        verify::after("record", || verify::legal(&ops));
+                        let ops = dead::remove(&ops);
+                        verify::after("dead", || verify::legal(&ops));
+                        let ops = hoister.hoist(ops);
+                        verify::after("hoist", || verify::legal(&ops));
                         let split = split::split(&ops, split::COMFORTABLE, schedule.slots);
                         verify::after("split", || {
                             verify::parts(&ops, &split.parts, schedule.slots)
@@ -88,12 +106,14 @@ impl Pieces {
             }
             pieces.segments.push(in_order);
         }
+        pieces.hoisted = hoister.finish();
         pieces
     }
 }
 
 impl fmt::Display for Pieces {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.hoisted)?;
         for (at, segment) in &self.segments {
             writeln!(f, "segment {}:", at.as_u32())?;
             for piece in segment {
@@ -131,52 +151,6 @@ fn stretches(segment: &Segment, heavy: usize) -> Vec<Stretch> {
         stretches.push(Stretch::Light { from, to: segment.steps.len() });
     }
     stretches
-}
-
-/// The operations of steps, as few and as plain as they get.
-fn prepared(steps: &[Step], number: usize, readers: &Readers) -> OpSegment {
-    let ops = record(steps, number, readers);
-    verify::after("record", || verify::whole(&ops));
-    let ops = legalise::legalise(&ops);
-    verify::after("legalise", || verify::legal(&ops));
-    let ops = fold::fold(&ops);
-    verify::after("fold", || verify::legal(&ops));
-    let ops = dead::remove(&ops);
-    verify::after("dead", || verify::legal(&ops));
-    ops
-}
-
-/// Records steps as one segment of operations that stores what others read.
-fn record(steps: &[Step], number: usize, readers: &Readers) -> OpSegment {
-    let tape = Tape::new();
-    let mut sources: Vec<Source> = Vec::new();
-    let mut known: HashMap<Source, OpId> = HashMap::new();
-    let mut stores = Vec::new();
-    let wanted = steps.first().map(|step| step.wanted.clone()).unwrap_or_default();
-    for step in steps {
-        let inputs: Vec<OpId> = step
-            .words
-            .iter()
-            .map(|source| {
-                *known.entry(*source).or_insert_with(|| {
-                    if let Source::Constant { bits, .. } = *source {
-                        return tape.push(Op::Constant(bits));
-                    }
-                    sources.push(*source);
-                    tape.push(Op::Load(sources.len() as u32 - 1))
-                })
-            })
-            .collect();
-        let mut outputs = vec![0; step.code.outputs];
-        step.code.record(&tape, &inputs, &mut outputs);
-        for (slot, id) in (step.output..).zip(outputs) {
-            known.insert(Source::Slot(slot), id);
-            if readers.outside(slot, number) {
-                stores.push((slot, id));
-            }
-        }
-    }
-    OpSegment { ops: tape.into_ops(), sources, stores, wanted }
 }
 
 /// Per slot, who reads it.

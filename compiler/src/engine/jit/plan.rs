@@ -1,22 +1,38 @@
 //! The jit's plan: the pieces of a schedule, with the machine code of those that are fused.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use cranelift_entity::PrimaryMap;
 
 use crate::engine::options::Simd;
+use crate::ops::OpSegment;
+use crate::ops::hoist::Hoisted;
 use crate::schedule::{Schedule, SegmentId};
 use crate::storage::{FileShape, Lanes, Source, stride};
 
 use super::pieces::{Piece, Pieces};
+use super::shared::{Pool, Shared};
 use super::{Generator, JitCode, JitError};
+
+/// All that code is made from.
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct Asked {
+    generator: Generator,
+    functions: Vec<OpSegment>,
+    shape: FileShape,
+}
+
+/// The code of all plans of the process: graphs of the same operations share it.
+static CODE: Pool<Asked, JitCode> = Pool::new();
 
 /// The jit's plan for a schedule, with its code.
 #[derive(Debug)]
 pub struct Plan {
     /// Per segment, what to run in order.
     segments: PrimaryMap<SegmentId, Vec<Part>>,
-    code: JitCode,
+    code: Arc<Shared<Asked, JitCode>>,
+    hoisted: Hoisted,
     simd: Simd,
     slots: usize,
 }
@@ -41,11 +57,20 @@ impl Plan {
         generator: Generator,
         kept: &[Source],
     ) -> Result<Self, JitError> {
-        let Pieces { segments, functions, scratch } = Pieces::of(schedule, batch, generator, kept);
+        let pieces = Pieces::of(schedule, uniforms, batch, generator, kept);
+        let Pieces { segments, functions, hoisted, scratch } = pieces;
         let slots = stride(schedule.slots + scratch);
-        let code = JitCode::compile(generator, &functions, FileShape { uniforms, slots })?;
+        let shape = FileShape { uniforms: uniforms + hoisted.words(), slots };
+        let compile = |asked: &Asked| JitCode::compile(generator, &asked.functions, asked.shape);
+        let code = CODE.get_or_make(Asked { generator, functions, shape }, compile)?;
         let segments = segments.values().map(|pieces| joined(pieces)).collect();
-        Ok(Self { segments, code, simd, slots })
+        Ok(Self { segments, code, hoisted, simd, slots })
+    }
+
+    /// The uniform words of the program, followed by what the code reads of what they determine. To be
+    /// computed anew whenever one of them changes.
+    pub fn uniform_words(&self, uniforms: &[u32]) -> Vec<u32> {
+        self.hoisted.with_words(uniforms)
     }
 
     /// Slots of a block, scratch included.
@@ -56,6 +81,11 @@ impl Plan {
     /// Bytes of machine code.
     pub fn code_bytes(&self) -> usize {
         self.code.code_bytes()
+    }
+
+    /// Whether both run the same machine code, not only equal one.
+    pub fn shares_code_with(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.code, &other.code)
     }
 
     /// Runs a segment over runs of blocks; `kernel` runs those of its steps that are kernels.
