@@ -12,7 +12,9 @@ mod synonyms;
 pub use allowance::allowable;
 pub use assignment::assignment;
 pub use choices::{EngineChoice, Format, GeneratorChoice, Precision, SimdChoice};
-pub use numbers::{batch, exposure, runs, samples, seed, threads, tolerance, with_dashed_numbers};
+pub use numbers::{
+    batch, exposure, nodes, runs, samples, seed, threads, tolerance, with_dashed_numbers,
+};
 pub use output::picture;
 pub use region::region;
 pub use size::{Size, size};

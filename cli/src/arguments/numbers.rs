@@ -69,6 +69,11 @@ pub fn runs(text: &str) -> Result<u8, String> {
     count(text, 1..=100, "a number of runs")
 }
 
+/// Reads `--nodes`.
+pub fn nodes(text: &str) -> Result<u32, String> {
+    count(text, 1..=100_000, "a number of nodes")
+}
+
 /// Reads `--seed`.
 pub fn seed(text: &str) -> Result<u64, String> {
     count(text, 0..=u64::MAX, "a whole number")

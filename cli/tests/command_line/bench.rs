@@ -1,10 +1,13 @@
-//! `phenomenon bench shade`; what it prints is measured, so only its shape is known.
+//! `phenomenon bench shade` and `compile`; what they print is measured, so only its shape is known.
 
+use phenomenon_compiler::engine::jit::Generator;
+use phenomenon_compiler::kernels::native_simd;
 use serde_json::Value;
 
 use crate::program::{Folder, refused, run};
 
-const ENGINES: [&str; 4] = ["walk", "batch", "jit", "monolith"];
+const ENGINES: [&str; 7] =
+    ["walk", "batch", "jit", "jit_cranelift", "monolith", "monolith8", "fused8"];
 
 /// Names, then two figures.
 const KEYS: [&str; 6] = ["workload", "batch", "engine", "precision", "ns_per_point", "spread"];
@@ -21,8 +24,13 @@ fn rows_have_their_keys_and_ratios_their_baselines() {
     assert_eq!(report["version"], 1);
     let rows = report["rows"].as_array().unwrap();
     // A machine without the jit says so, and has no rows of it.
-    let without_jit = run.complaint.contains("without jit");
-    let engines = ENGINES.iter().filter(|engine| !(without_jit && **engine == "jit"));
+    let is_here = |engine: &&&str| match **engine {
+        "jit" => Generator::chosen(None).is_ok(),
+        "jit_cranelift" => Generator::Native.available().is_ok(),
+        "monolith8" => native_simd(),
+        _ => true,
+    };
+    let engines = ENGINES.iter().filter(is_here);
     let mut expected = Vec::new();
     for workload in ["ten", "mixed"] {
         for batch in [1, 16, 256] {
@@ -55,8 +63,64 @@ fn rows_have_their_keys_and_ratios_their_baselines() {
     }
 }
 
+/// Of `bench compile`: names, then milliseconds.
+const STAGES: [&str; 10] = [
+    "graph",
+    "nodes",
+    "generator",
+    "check_ms",
+    "specialise_ms",
+    "schedule_ms",
+    "record_ms",
+    "generate_ms",
+    "compile_ms",
+    "first_batch_ms",
+];
+
+#[test]
+fn compiling_is_measured_stage_by_stage() {
+    let folder = Folder::new();
+    let results = folder.path("new");
+    let run =
+        run(&["bench", "compile", "--nodes", "20", "--nodes", "40", "--runs", "2", "-o", &results]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let text = std::fs::read_to_string(folder.path("new/compile.json")).unwrap();
+    let report: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(report["version"], 1);
+    let rows = report["rows"].as_array().unwrap();
+    let found: Vec<(&str, u64)> = rows
+        .iter()
+        .map(|row| (row["graph"].as_str().unwrap(), row["nodes"].as_u64().unwrap()))
+        .collect();
+    // Whole layers, as many as fit.
+    let mut generators = Generator::ALL.to_vec();
+    generators.retain(|generator| generator.available().is_ok());
+    let graphs = [("ten", 19), ("light", 13), ("mixed", 19), ("light", 33), ("mixed", 35)];
+    let expected: Vec<_> =
+        graphs.iter().flat_map(|&graph| generators.iter().map(move |_| graph)).collect();
+    assert_eq!(found, expected);
+    for row in rows {
+        let keys: Vec<&String> = row.as_object().unwrap().keys().collect();
+        assert_eq!(keys, STAGES);
+        for stage in &STAGES[3..] {
+            assert!(row[stage].as_f64().unwrap() >= 0.0, "{row}");
+        }
+    }
+    let lines: Vec<&str> = run.output.lines().filter(|line| line.starts_with("| ")).collect();
+    assert_eq!(lines.len(), rows.len() + 2, "{}", run.output);
+    let generators = generators.iter().cycle();
+    for ((line, (graph, nodes)), generator) in lines[2..].iter().zip(expected).zip(generators) {
+        assert!(
+            line.starts_with(&format!("| {graph} | {nodes} | {} |", generator.name())),
+            "{line}"
+        );
+    }
+}
+
 #[test]
 fn wrong_flags_are_refused() {
+    refused(&["bench", "compile", "--nodes", "0"], &["--nodes", "1 to 100000"]);
+    refused(&["bench", "compile", "graph.json"], &["graph.json"]);
     refused(&["bench", "shade", "--workload", "tne"], &["--workload", "tne", "ten", "branchy"]);
     refused(&["bench", "shade", "--runs", "0"], &["--runs", "1 to 100"]);
     refused(&["bench", "shade", "--runs", "many"], &["--runs", "many"]);

@@ -267,7 +267,7 @@ fn a_field_of_the_state_says_how_many_numbers_it_needs() {
 }
 
 /// Every flag that takes numbers: the command it belongs to, and what its remedy says.
-const FLAGS: [(&[&str], &str, &str); 13] = [
+const FLAGS: [(&[&str], &str, &str); 15] = [
     (&["render", "g.json"], "--spp", "from 1 to 1048576"),
     (&["render", "g.json"], "--threads", "from 1 to 1024"),
     (&["render", "g.json"], "--batch", "from 1 to 65536"),
@@ -281,6 +281,8 @@ const FLAGS: [(&[&str], &str, &str); 13] = [
     (&["bench", "render", "g.json"], "--spp", "from 1 to 1048576"),
     (&["bench", "render", "g.json"], "--threads", "from 1 to 1024"),
     (&["bench", "shade"], "--runs", "from 1 to 100"),
+    (&["bench", "compile"], "--runs", "from 1 to 100"),
+    (&["bench", "compile"], "--nodes", "from 1 to 100000"),
 ];
 
 /// Whatever it is given, it says itself what would do; nothing is taken for a flag that nobody knows.

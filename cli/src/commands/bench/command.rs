@@ -2,7 +2,7 @@
 
 use clap::{Args, Subcommand};
 
-use super::{render, shade};
+use super::{compile, render, shade};
 use crate::failure::{Failure, Outcome};
 
 /// Measure, each figure beside its baseline in the same run.
@@ -14,6 +14,7 @@ pub struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Question {
+    Compile(compile::Arguments),
     Render(render::Arguments),
     Shade(shade::Arguments),
 }
@@ -24,6 +25,7 @@ enum Question {
 /// As the question says.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     match &arguments.question {
+        Question::Compile(arguments) => compile::run(arguments),
         Question::Render(arguments) => render::run(arguments),
         Question::Shade(arguments) => shade::run(arguments),
     }

@@ -1,18 +1,16 @@
 //! One engine at one workload, and the clock.
 
-use std::sync::Arc;
 use std::time::Duration;
 
 use cpu_time::ThreadTime;
 use phenomenon_compiler::effects::NoScene;
-use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
-use phenomenon_compiler::graph::{Graph, RootKind};
+use phenomenon_compiler::engine::{Shade, Shaded};
+use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
 
+use super::column::Column;
 use super::statistics::{median, spread};
 use super::workloads::Workload;
-use crate::arguments::EngineChoice;
-use crate::failure::Failure;
 
 /// How long a turn takes: long beside the clock's steps, short beside the minutes of a machine.
 const TURN: Duration = Duration::from_millis(10);
@@ -38,24 +36,10 @@ impl Points {
     }
 }
 
-/// A graph ready to be shaded in calls of that many points.
-///
-/// # Errors
-/// The engine does not run here.
-pub fn compiled(
-    graph: &Arc<Graph>,
-    engine: Engine,
-    batch: usize,
-) -> Result<Box<dyn Shade>, Failure> {
-    let options = Options { engine, batch, ..Options::default() };
-    let shader = Shader::new(Arc::clone(graph), &[], options);
-    shader.map(|shader| Box::new(shader) as Box<dyn Shade>).map_err(|error| Failure::new(error, ""))
-}
-
 /// One of those that are compared.
 pub struct Contender {
-    /// What it runs on.
-    pub engine: EngineChoice,
+    /// Who it is.
+    pub column: Column,
     shader: Box<dyn Shade>,
     /// Passes over all points in a turn.
     passes: u32,
@@ -65,12 +49,7 @@ pub struct Contender {
 
 impl Contender {
     /// Runs it until it is warm, which says how many passes a turn has.
-    pub fn new(
-        engine: EngineChoice,
-        shader: Box<dyn Shade>,
-        batch: usize,
-        points: &mut Points,
-    ) -> Self {
+    pub fn new(column: Column, shader: Box<dyn Shade>, batch: usize, points: &mut Points) -> Self {
         // Codes of all ray types are made, and memory is taken.
         points.shade(shader.as_ref(), batch);
         let start = ThreadTime::now();
@@ -80,7 +59,7 @@ impl Contender {
             points.shade(shader.as_ref(), batch);
             passes += 1;
         }
-        Self { engine, shader, passes, turns: Vec::new() }
+        Self { column, shader, passes, turns: Vec::new() }
     }
 
     /// Measures it once.

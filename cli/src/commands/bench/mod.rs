@@ -1,7 +1,10 @@
 //! `phenomenon bench`.
 
+mod column;
 mod command;
+mod compile;
 mod contender;
+mod generators;
 mod render;
 mod results;
 mod shade;

@@ -51,7 +51,8 @@ pub struct Arguments {
 const NOTES: &str = "\
 Engines take turns, so that a slow minute of the machine touches all of them. Ratios are medians of
 the ratios of one turn, to walk. \"shading\" is time inside shaders, without what they ask of the
-renderer, measured on a part of the batches. The jit's code is compiled before the clock starts.";
+renderer, measured on a part of the batches. Every engine renders once before the clock starts, with
+which the jit's code is made.";
 
 /// The engines that are compared; the first is the baseline.
 const ENGINES: [EngineChoice; 4] =
@@ -61,6 +62,15 @@ struct Contender {
     engine: EngineChoice,
     picture: Picture,
     runs: Vec<Statistics>,
+}
+
+impl Contender {
+    fn render(&self, arguments: &Arguments) -> Result<Statistics, Failure> {
+        let settings = settings(arguments, &self.picture);
+        let rendered = render(&self.picture.scene, &settings, &|_, _| ())
+            .map_err(|error| Failure::new(error, "choose another size or number of samples"))?;
+        Ok(rendered.statistics)
+    }
 }
 
 /// Runs the command.
@@ -99,12 +109,15 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     outputs::require_apart(output.as_slice())?;
     let bar = terminal::progress("renderings", false);
     bar.set_length(u64::from(arguments.runs) * contenders.len() as u64);
+    // Code is made with the first points that need it: before the clock starts.
+    for contender in &contenders {
+        contender.render(arguments)?;
+        contender.picture.require_jit()?;
+    }
     for _ in 0..arguments.runs {
         for contender in &mut contenders {
-            let settings = settings(arguments, &contender.picture);
-            let rendered = render(&contender.picture.scene, &settings, &|_, _| ())
-                .map_err(|error| Failure::new(error, "choose another size or number of samples"))?;
-            contender.runs.push(rendered.statistics);
+            let statistics = contender.render(arguments)?;
+            contender.runs.push(statistics);
             bar.inc(1);
         }
     }

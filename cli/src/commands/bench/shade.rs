@@ -5,14 +5,15 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::{Args, ValueHint};
-use phenomenon_compiler::engine::Engine;
 use phenomenon_compiler::nodes::NodeLibrary;
 use serde_json::{Value, json};
 
-use super::contender::{Contender, Points, compiled};
+use super::column::Column;
+use super::contender::{Contender, Points};
+use super::generators;
 use super::results::Results;
 use super::workloads::{STATES, Workload};
-use crate::arguments::{self, EngineChoice, Precision};
+use crate::arguments::{self, Precision};
 use crate::failure::{Failure, Outcome};
 use crate::terminal;
 
@@ -35,7 +36,9 @@ pub struct Arguments {
 
 const NOTES: &str = "\
 A workload is a graph that asks nothing of a renderer, shaded at 1024 points in calls of 1, 16 and
-256. The monolith is the same by hand: scalar Rust with the functions of its standard library.
+256. The monolith is the same by hand: scalar Rust with the functions of its standard library; monolith8
+is written with the instructions of AVX2, for \"ten\" and \"mixed\". fused8 is what rustc makes of the
+bodies of all nodes as one body, eight lanes wide: the bound for the jit.
 
 What is measured is CPU time of one thread, after everything is compiled and has run once. Engines
 take turns of some 10 ms, so that a slow minute of the machine touches all of them. Ratios are medians
@@ -44,9 +47,6 @@ quartiles of all turns, over their median.";
 
 /// Points of one call.
 const BATCHES: [usize; 3] = [1, 16, 256];
-
-const ENGINES: [EngineChoice; 4] =
-    [EngineChoice::Walk, EngineChoice::Batch, EngineChoice::Jit, EngineChoice::Monolith];
 
 /// All that shade one workload in calls of one number of points.
 struct Race {
@@ -64,12 +64,12 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let folder = arguments.output.as_deref();
     let results = folder.map(|folder| Results::new(folder, "shade")).transpose()?;
     let library = NodeLibrary::standard();
-    let engines = engines(&library)?;
+    let columns = columns();
     let mut races = Vec::new();
     for workload in Workload::ALL {
         if arguments.workload.is_empty() || arguments.workload.contains(&workload) {
             for batch in BATCHES {
-                races.push(race(workload, batch, &engines, &library)?);
+                races.push(race(workload, batch, &columns, &library)?);
             }
         }
     }
@@ -91,60 +91,61 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Fine)
 }
 
-/// The engines that run here: not every machine has the jit.
-fn engines(library: &NodeLibrary) -> Result<Vec<EngineChoice>, Failure> {
-    let graph = Arc::new(Workload::Ten.graph(library)?);
-    let mut engines = ENGINES.to_vec();
-    if let Err(failure) = compiled(&graph, Engine::Jit, 1) {
-        terminal::tell(&format!("without jit: {failure}"));
-        engines.retain(|engine| *engine != EngineChoice::Jit);
-    }
-    Ok(engines)
+/// Those that run here: not every machine has the jit.
+fn columns() -> Vec<Column> {
+    let here = generators::here();
+    let mut columns = Column::all();
+    columns.retain(|column| !matches!(column, Column::Jit(generator) if !here.contains(generator)));
+    columns
 }
 
 fn race(
     workload: Workload,
     batch: usize,
-    engines: &[EngineChoice],
+    columns: &[Column],
     library: &NodeLibrary,
 ) -> Result<Race, Failure> {
     let mut points = Points::new(workload);
     let graph = Arc::new(workload.graph(library)?);
     let mut contenders = Vec::new();
-    for &engine in engines {
-        let shader = match engine.compiled() {
-            Some(engine) => compiled(&graph, engine, batch)?,
-            None => workload.by_hand(),
-        };
-        contenders.push(Contender::new(engine, shader, batch, &mut points));
+    for &column in columns {
+        if let Some(shader) = column.shader(workload, &graph, batch)? {
+            contenders.push(Contender::new(column, shader, batch, &mut points));
+        }
     }
     Ok(Race { workload, batch, points, contenders })
 }
 
+/// Those to whom ratios are given.
+const BASES: [Column; 4] = [Column::Fused8, Column::Monolith, Column::Batch, Column::Walk];
+
 fn table(runs: u8, races: &[Race]) -> String {
     let mut text = format!(
         "ns a point, CPU time of one thread, {STATES} points, median of {runs} turns\n\n\
-         | workload | points a call | engine | ns | spread | to batch | to walk |\n\
-         | --- | ---: | --- | ---: | ---: | ---: | ---: |\n",
+         | workload | points a call | engine | ns | spread |"
     );
+    BASES.iter().for_each(|base| text += &format!(" to {} |", base.name()));
+    text += "\n| --- | ---: | --- | ---: | ---: |";
+    text += &" ---: |".repeat(BASES.len());
+    text.push('\n');
     for race in races {
-        let to = |of: &Contender, engine: EngineChoice| {
-            let base = race.contenders.iter().find(|contender| contender.engine == engine);
+        let to = |of: &Contender, column: Column| {
+            let base = race.contenders.iter().find(|contender| contender.column == column);
             base.map_or_else(String::new, |base| format!("{:.2}", of.ratio(base)))
         };
         for of in &race.contenders {
             // Writing to a string cannot fail.
-            let _ = writeln!(
+            let _ = write!(
                 text,
-                "| {} | {} | {} | {:.1} | {:.3} | {} | {} |",
+                "| {} | {} | {} | {:.1} | {:.3} |",
                 race.workload.name(),
                 race.batch,
-                of.engine.name(),
+                of.column.name(),
                 of.nanoseconds(),
                 of.spread(),
-                to(of, EngineChoice::Batch),
-                to(of, EngineChoice::Walk),
             );
+            BASES.iter().for_each(|&base| text += &format!(" {} |", to(of, base)));
+            text.push('\n');
         }
     }
     text
@@ -155,7 +156,7 @@ fn rows(races: &[Race]) -> Vec<Value> {
         json!({
             "workload": race.workload.name(),
             "batch": race.batch,
-            "engine": of.engine.name(),
+            "engine": of.column.name(),
             "precision": Precision::default().name(),
             "ns_per_point": of.nanoseconds(),
             "spread": of.spread(),

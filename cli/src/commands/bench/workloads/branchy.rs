@@ -6,12 +6,12 @@ use phenomenon_compiler::state::State;
 use super::blending::hue;
 
 /// One side of a choice.
-struct Side {
-    shift: Vec3A,
-    frequencies: Vec3A,
-    exponents: [f32; 2],
-    saturation: f32,
-    weight: f32,
+pub struct Side {
+    pub shift: Vec3A,
+    pub frequencies: Vec3A,
+    pub exponents: [f32; 2],
+    pub saturation: f32,
+    pub weight: f32,
 }
 
 const fn side(
@@ -24,56 +24,56 @@ const fn side(
     Side { shift, frequencies, exponents, saturation, weight }
 }
 
-static LEFT: Side = side(
+pub static LEFT: Side = side(
     Vec3A::new(-0.29, 0.396, -0.601),
     Vec3A::new(2.817, -1.778, 1.575),
     [1.482, 0.718],
     0.63,
     0.644,
 );
-static RIGHT: Side = side(
+pub static RIGHT: Side = side(
     Vec3A::new(-0.286, 0.794, -0.693),
     Vec3A::new(-1.478, -1.904, 3.471),
     [1.345, 1.103],
     0.731,
     0.586,
 );
-static INNER: Side = side(
+pub static INNER: Side = side(
     Vec3A::new(0.837, 0.683, -0.871),
     Vec3A::new(-3.637, 1.108, 1.651),
     [1.958, 0.737],
     0.813,
     0.633,
 );
-static OUTER: Side = side(
+pub static OUTER: Side = side(
     Vec3A::new(0.559, 0.567, -0.646),
     Vec3A::new(-3.569, 3.096, -3.894),
     [1.828, 1.065],
     0.427,
     0.529,
 );
-static EVEN: Side = side(
+pub static EVEN: Side = side(
     Vec3A::new(-0.328, 0.486, -0.171),
     Vec3A::new(-2.231, 1.06, -3.306),
     [0.488, 0.436],
     0.669,
     0.587,
 );
-static ODD: Side = side(
+pub static ODD: Side = side(
     Vec3A::new(0.365, -0.504, -0.348),
     Vec3A::new(-1.324, 3.847, 1.875),
     [0.712, 1.094],
     0.325,
     0.426,
 );
-static LOWER: Side = side(
+pub static LOWER: Side = side(
     Vec3A::new(0.867, 0.401, -0.615),
     Vec3A::new(2.86, -2.294, 3.809),
     [2.356, 0.839],
     0.613,
     0.305,
 );
-static UPPER: Side = side(
+pub static UPPER: Side = side(
     Vec3A::new(0.432, -0.116, 0.148),
     Vec3A::new(2.399, 2.827, -3.214),
     [1.579, 0.417],

@@ -5,18 +5,18 @@ use phenomenon_compiler::state::State;
 
 use super::blending::screen;
 
-struct Layer {
-    tint: Vec3A,
-    glow: Vec3A,
-    color: Vec3A,
-    dust: Vec3A,
+pub struct Layer {
+    pub tint: Vec3A,
+    pub glow: Vec3A,
+    pub color: Vec3A,
+    pub dust: Vec3A,
 }
 
 const fn layer(tint: Vec3A, glow: Vec3A, color: Vec3A, dust: Vec3A) -> Layer {
     Layer { tint, glow, color, dust }
 }
 
-static LAYERS: [[Layer; 4]; 4] = [
+pub static LAYERS: [[Layer; 4]; 4] = [
     [
         layer(
             Vec3A::new(0.567, 0.924, 0.882),
@@ -124,7 +124,7 @@ static LAYERS: [[Layer; 4]; 4] = [
 ];
 
 /// Of each layer, how often its share of the blend runs from 0 to 1.
-static TURNS: [Vec4; 4] = [
+pub static TURNS: [Vec4; 4] = [
     Vec4::new(3.025, 2.344, 2.785, 2.675),
     Vec4::new(2.249, 1.841, 3.414, 1.9),
     Vec4::new(3.222, 2.75, 2.342, 2.909),

@@ -5,12 +5,12 @@ use phenomenon_compiler::state::State;
 
 use super::blending::hue;
 
-struct Layer {
-    shift: Vec3A,
-    frequencies: Vec3A,
-    exponent: f32,
-    saturation: f32,
-    weight: f32,
+pub struct Layer {
+    pub shift: Vec3A,
+    pub frequencies: Vec3A,
+    pub exponent: f32,
+    pub saturation: f32,
+    pub weight: f32,
 }
 
 const fn layer(
@@ -23,7 +23,7 @@ const fn layer(
     Layer { shift, frequencies, exponent, saturation, weight }
 }
 
-static LAYERS: [Layer; 12] = [
+pub static LAYERS: [Layer; 12] = [
     layer(Vec3A::new(-0.678, 0.246, 0.618), Vec3A::new(-1.755, -2.82, 3.999), 2.007, 0.816, 0.277),
     layer(Vec3A::new(0.386, -0.451, 0.636), Vec3A::new(2.395, 3.723, -3.675), 1.521, 0.442, 0.156),
     layer(Vec3A::new(-0.363, 0.455, -0.699), Vec3A::new(3.986, 3.39, 3.369), 1.124, 0.815, 0.261),

@@ -3,6 +3,9 @@
 mod blending;
 mod branchy;
 mod by_hand;
+#[cfg(target_arch = "x86_64")]
+mod eight;
+mod fused;
 mod light;
 mod mixed;
 mod states;

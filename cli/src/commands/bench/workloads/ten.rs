@@ -5,11 +5,11 @@ use phenomenon_compiler::state::State;
 
 use super::blending::{fraction, hue, overlay, screen, smooth_step};
 
-const LOW: Vec3A = Vec3A::new(0.31, 0.24, 0.17);
-const HIGH: Vec3A = Vec3A::new(0.42, 0.55, 0.71);
-const VEIL: Vec3A = Vec3A::new(0.8, 0.82, 0.85);
-const GLOW: Vec3A = Vec3A::new(0.12, 0.1, 0.08);
-const DUST: Vec3A = Vec3A::new(0.05, 0.04, 0.03);
+pub const LOW: Vec3A = Vec3A::new(0.31, 0.24, 0.17);
+pub const HIGH: Vec3A = Vec3A::new(0.42, 0.55, 0.71);
+pub const VEIL: Vec3A = Vec3A::new(0.8, 0.82, 0.85);
+pub const GLOW: Vec3A = Vec3A::new(0.12, 0.1, 0.08);
+pub const DUST: Vec3A = Vec3A::new(0.05, 0.04, 0.03);
 
 /// Its colour at a point.
 pub fn shade(point: &State) -> Vec4 {

@@ -9,8 +9,10 @@ use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
 
 use super::by_hand::ByHand;
+#[cfg(target_arch = "x86_64")]
+use super::eight;
 use super::states::states;
-use super::{branchy, light, mixed, ten};
+use super::{branchy, fused, light, mixed, ten};
 use crate::failure::Failure;
 
 /// A graph that asks nothing of the renderer, and what a programmer would write instead of it.
@@ -64,7 +66,7 @@ impl Workload {
     }
 
     /// The graph's file.
-    fn text(self) -> &'static str {
+    pub fn text(self) -> &'static str {
         match self {
             Self::Ten => include_str!("ten.json"),
             Self::Light => include_str!("light.json"),
@@ -83,6 +85,32 @@ impl Workload {
             Self::Branchy | Self::OneSide => Box::new(ByHand(branchy::shade)),
         }
     }
+
+    /// The same by hand with the instructions of AVX2; none where nobody wrote it, or the CPU lacks them.
+    pub fn by_eight(self) -> Option<Box<dyn Shade>> {
+        #[cfg(target_arch = "x86_64")]
+        {
+            match self {
+                Self::Ten => eight::ten(),
+                Self::Mixed => eight::mixed(),
+                Self::Light | Self::Branchy | Self::OneSide => None,
+            }
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        {
+            None
+        }
+    }
+
+    /// The bodies of its nodes as one body, compiled by rustc for eight lanes.
+    pub fn fused(self) -> Box<dyn Shade> {
+        match self {
+            Self::Ten => fused::shader::<fused::Ten>(),
+            Self::Light => fused::shader::<fused::Light>(),
+            Self::Mixed => fused::shader::<fused::Mixed>(),
+            Self::Branchy | Self::OneSide => fused::shader::<fused::Branchy>(),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -92,6 +120,7 @@ mod tests {
     use phenomenon_compiler::effects::NoScene;
     use phenomenon_compiler::engine::{Engine, Options, Shaded, Shader};
     use phenomenon_compiler::graph::RootKind;
+    use phenomenon_compiler::kernels::native_simd;
 
     use super::*;
 
@@ -120,26 +149,43 @@ mod tests {
         assert_eq!(nodes, [19, 162, 97, 112, 112]);
     }
 
+    fn walk(workload: Workload) -> Vec<[f32; 4]> {
+        let graph = Arc::new(workload.graph(&NodeLibrary::standard()).unwrap());
+        let options = Options { engine: Engine::Walk, ..Options::default() };
+        colors(workload, &Shader::new(graph, &[], options).unwrap(), 256)
+    }
+
     #[test]
     fn what_is_written_by_hand_computes_the_same() {
-        let library = NodeLibrary::standard();
         for workload in Workload::ALL {
-            let graph = Arc::new(workload.graph(&library).unwrap());
-            let options = Options { engine: Engine::Walk, ..Options::default() };
-            let shader = Shader::new(graph, &[], options).unwrap();
-            let (walk, by_hand) =
-                (colors(workload, &shader, 256), colors(workload, workload.by_hand().as_ref(), 16));
-            for (point, (a, b)) in walk.iter().zip(&by_hand).enumerate() {
-                for (x, y) in a.iter().zip(b) {
-                    let apart = (x - y).abs();
-                    let near = apart <= 1e-4 * x.abs();
-                    assert!(near, "{} at point {point}: {a:?} {b:?}", workload.name());
+            let walk = walk(workload);
+            for shader in [Some(workload.by_hand()), workload.by_eight()].into_iter().flatten() {
+                let by_hand = colors(workload, shader.as_ref(), 13);
+                for (point, (a, b)) in walk.iter().zip(&by_hand).enumerate() {
+                    for (x, y) in a.iter().zip(b) {
+                        let apart = (x - y).abs();
+                        let near = apart <= 1e-4 * x.abs();
+                        assert!(near, "{} at point {point}: {a:?} {b:?}", workload.name());
+                    }
                 }
             }
             // No constant is measured.
             let different: std::collections::HashSet<_> =
                 walk.iter().map(|color| color.map(f32::to_bits)).collect();
             assert!(different.len() > walk.len() * 9 / 10, "{}", different.len());
+        }
+        let is_written = Workload::ALL.map(|workload| workload.by_eight().is_some());
+        assert_eq!(is_written, [native_simd(), false, native_simd(), false, false]);
+    }
+
+    #[test]
+    fn bodies_in_one_give_the_bits_of_the_graph() {
+        for workload in Workload::ALL {
+            let (walk, fused) = (walk(workload), colors(workload, workload.fused().as_ref(), 13));
+            for (point, (a, b)) in walk.iter().zip(&fused).enumerate() {
+                let bits = |color: &[f32; 4]| color.map(f32::to_bits);
+                assert_eq!(bits(a), bits(b), "{} at point {point}: {a:?} {b:?}", workload.name());
+            }
         }
     }
 }
