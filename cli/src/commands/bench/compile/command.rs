@@ -44,7 +44,9 @@ generate (machine code): the stages alone. compile: `Shader::new` and a first po
 made: all stages but the check. first batch: that, and 256 points.";
 
 /// A stage: its column, its key, and its time.
-const STAGES: [(&str, &str, fn(&Turn) -> f64); 7] = [
+type Stage = (&'static str, &'static str, fn(&Turn) -> f64);
+
+const STAGES: [Stage; 7] = [
     ("check", "check_ms", |turn| turn.check),
     ("specialise", "specialise_ms", |turn| turn.specialise),
     ("schedule", "schedule_ms", |turn| turn.schedule),

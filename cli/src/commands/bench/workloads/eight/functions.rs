@@ -81,7 +81,7 @@ fn logarithm(x: __m256) -> __m256 {
         -1.666_805_7e-1,
         2.000_071_5e-1,
         -2.499_999_4e-1,
-        3.333_333_1e-1,
+        3.333_333e-1,
     ];
     let square = _mm256_mul_ps(rest, rest);
     let cube = _mm256_mul_ps(square, rest);
