@@ -324,8 +324,8 @@ impl RootCode {
         let Options { simd, batch, count, .. } = options;
         let uniforms = self.specialised.uniforms.values().len();
         // Who wants what is found from the words of guards.
-        let kept = if count { self.specialised.guard_words() } else { Vec::new() };
-        Plan::new(schedule, uniforms, simd, batch, generator, &kept)
+        let kept = count.then(|| self.specialised.guard_words());
+        Plan::new(schedule, uniforms, simd, batch, generator, kept.as_deref())
     }
 }
 
@@ -396,12 +396,12 @@ impl Shade for Shader {
             self.counts.walk.add(points.len(), count.then_some(evaluations));
         }
         let Some(schedule) = schedule else { return };
-        let (runner, uniforms, counts) = match self.plan(&program.code, schedule) {
+        let (runner, schedule, uniforms, counts) = match self.plan(&program.code, schedule) {
             Some(plan) => {
                 let words = program.words.get_or_init(|| plan.uniform_words(uniforms));
-                (Runner::Jit(plan), words.as_slice(), &self.counts.jit)
+                (Runner::Jit(plan), plan.schedule(schedule), words.as_slice(), &self.counts.jit)
             }
-            None => (Runner::Kernels(simd), uniforms, &self.counts.batch),
+            None => (Runner::Kernels(simd), schedule, uniforms, &self.counts.batch),
         };
         let counted = count.then_some(specialised);
         let program = Program { schedule, uniforms, runner, batch, counted };

@@ -4,6 +4,7 @@ mod code;
 mod cranelift;
 mod error;
 mod generator;
+mod layout;
 #[cfg(target_arch = "x86_64")]
 mod native;
 mod pieces;

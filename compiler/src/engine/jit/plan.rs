@@ -11,6 +11,7 @@ use crate::ops::hoist::Hoisted;
 use crate::schedule::{Schedule, SegmentId};
 use crate::storage::{FileShape, Lanes, Source, stride};
 
+use super::layout::{Layout, lay_out};
 use super::pieces::{Piece, Pieces};
 use super::shared::{Pool, Shared};
 use super::{Generator, JitCode, JitError};
@@ -33,6 +34,7 @@ pub struct Plan {
     segments: PrimaryMap<SegmentId, Vec<Part>>,
     code: Arc<Shared<Asked, JitCode>>,
     hoisted: Hoisted,
+    layout: Option<Layout>,
     simd: Simd,
     slots: usize,
 }
@@ -48,29 +50,44 @@ enum Part {
 
 impl Plan {
     /// Plans and compiles `schedule` for a program of that many uniform words, to run over at most
-    /// `batch` points at once. These words are kept in the file, whoever reads them.
+    /// `batch` points at once. Where words are `kept`, for somebody besides the schedule to read, all have the places
+    /// in the file that the schedule gives them; else only what is read lies there.
     pub fn new(
         schedule: &Schedule,
         uniforms: usize,
         simd: Simd,
         batch: usize,
         generator: Generator,
-        kept: &[Source],
+        kept: Option<&[Source]>,
     ) -> Result<Self, JitError> {
-        let pieces = Pieces::of(schedule, uniforms, batch, generator, kept);
+        let mut pieces = Pieces::of(schedule, uniforms, batch, generator, kept.unwrap_or_default());
+        let layout = kept.is_none().then(|| lay_out(schedule, &mut pieces));
         let Pieces { segments, functions, hoisted, scratch } = pieces;
-        let slots = stride(schedule.slots + scratch);
-        let shape = FileShape { uniforms: uniforms + hoisted.words(), slots };
+        let (words, slots) = match &layout {
+            Some(layout) => (layout.uniforms.len(), layout.schedule.slots),
+            None => (uniforms + hoisted.words(), schedule.slots + scratch),
+        };
+        let slots = stride(slots);
+        let shape = FileShape { uniforms: words, slots };
         let compile = |asked: &Asked| JitCode::compile(generator, &asked.functions, asked.shape);
         let code = CODE.get_or_make(Asked { generator, functions, shape }, compile)?;
         let segments = segments.values().map(|pieces| joined(pieces)).collect();
-        Ok(Self { segments, code, hoisted, simd, slots })
+        Ok(Self { segments, code, hoisted, layout, simd, slots })
     }
 
-    /// The uniform words of the program, followed by what the code reads of what they determine. To be
-    /// computed anew whenever one of them changes.
+    /// The uniform words of the file, from those of the program. To be computed anew whenever one of them
+    /// changes.
     pub fn uniform_words(&self, uniforms: &[u32]) -> Vec<u32> {
-        self.hoisted.with_words(uniforms)
+        let all = self.hoisted.with_words(uniforms);
+        match &self.layout {
+            Some(layout) => layout.uniforms.iter().map(|&at| all[at]).collect(),
+            None => all,
+        }
+    }
+
+    /// The schedule it was made for, with words where they lie in the file.
+    pub fn schedule<'a>(&'a self, schedule: &'a Schedule) -> &'a Schedule {
+        self.layout.as_ref().map_or(schedule, |layout| &layout.schedule)
     }
 
     /// Slots of a block, scratch included.
