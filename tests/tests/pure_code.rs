@@ -78,6 +78,23 @@ fn a_side_that_no_point_of_a_block_wants_is_not_evaluated() {
     }
 }
 
+/// Lanes that no point fills want no other side than the points beside them.
+#[test]
+fn lanes_without_a_point_want_nothing_besides() {
+    let built = choice();
+    for options in every_engine().into_iter().filter(|options| options.engine != Engine::Walk) {
+        for side in [true, false] {
+            let found = count(&built, options, &points(21, |_| side));
+            let blocks = match options.batch {
+                1 => 21,
+                7 => 3,
+                _ => 21_u64.div_ceil(8),
+            };
+            assert_eq!((found.wanted, found.done), (4 * 21, 4 * 8 * blocks), "{options:?}");
+        }
+    }
+}
+
 /// A side within a side: where the outer one is not wanted, nor is the inner one, whatever it is chosen by.
 #[test]
 fn sides_stand_within_sides() {

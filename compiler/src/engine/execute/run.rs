@@ -107,7 +107,13 @@ impl Run<'_> {
             for &(field, first) in &self.program.schedule.fields {
                 let at = self.shape.slot(first, block);
                 let width = field.value_type().width();
-                objects.gather(field, states, &mut self.memory.lanes[at..at + width]);
+                let words = &mut self.memory.lanes[at..at + width];
+                objects.gather(field, states, words);
+                // Lanes of no point do as the last point does, so that they want nothing besides.
+                for Lanes(word) in words {
+                    let (of_points, rest) = word.split_at_mut(states.len());
+                    rest.fill(of_points.last().copied().unwrap_or_default());
+                }
             }
             let mask = self.mask(RegionId::ROOT, block);
             self.memory.todo[mask] = (0xff_u32 >> (LANES - states.len())) as u8;
