@@ -6,7 +6,9 @@
 use std::cell::RefCell;
 
 thread_local! {
-    static FREE: RefCell<Vec<Memory>> = const { RefCell::new(Vec::new()) };
+    // In boxes: it is some 1,000 bytes, which a call of a single point would spend its time moving.
+    #[expect(clippy::vec_box, reason = "elements leave and come back, by pointer")]
+    static FREE: RefCell<Vec<Box<Memory>>> = const { RefCell::new(Vec::new()) };
 }
 
 /// What one shading call works in.

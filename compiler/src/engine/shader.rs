@@ -28,8 +28,8 @@ pub enum ShaderError {
     /// See [`SpecialiseError`].
     #[error(transparent)]
     Specialise(#[from] SpecialiseError),
-    /// The jit was asked for and cannot run here, or failed.
-    #[error("the jit cannot run this graph: {0}; the batch engine can")]
+    /// The jit was asked for and cannot run here.
+    #[error(transparent)]
     Jit(#[from] JitError),
     /// The value does not suit the parameter, or there is none of that name.
     #[error(transparent)]

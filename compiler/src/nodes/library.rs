@@ -33,6 +33,16 @@ pub struct Definition {
     pub per_component: bool,
 }
 
+impl Overload {
+    /// Words of a value of this type, as the overload has it.
+    pub fn width(&self, value_type: Type) -> usize {
+        match (value_type, self.generic) {
+            (Type::Generic, Some(generic)) => generic.width(),
+            (known, _) => known.width(),
+        }
+    }
+}
+
 impl Definition {
     /// A node the engines or the checker evaluate without a body: in one form for each type of its
     /// generic inputs.
@@ -58,10 +68,7 @@ impl Definition {
 
     /// The words of the inputs known before shading, as an overload has them: each with its input.
     pub fn fixed_words(&self, overload: &Overload) -> impl Iterator<Item = (usize, usize)> {
-        let width = |value_type: Type| match (value_type, overload.generic) {
-            (Type::Generic, Some(generic)) => generic.width(),
-            (known, _) => known.width(),
-        };
+        let width = |value_type: Type| overload.width(value_type);
         let mut next = 0;
         let inputs = self.signature.inputs.iter().enumerate();
         inputs.filter_map(move |(at, input)| {

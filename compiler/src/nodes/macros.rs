@@ -126,7 +126,7 @@
 /// loop over a count and match on a choice.
 ///
 /// Inputs stand in the order in which they are demanded. One with `when` is demanded only where its
-/// condition holds, which may look at earlier inputs only. A body must not let an input that was not
+/// condition holds, which may look at earlier inputs without a condition. A body must not let an input that was not
 /// demanded show in its outputs. Bodies and conditions are functions of the back end and the inputs,
 /// called as in `body |e, i|`, and always inlined; functions they call must be `#[inline(always)]`.
 #[macro_export]

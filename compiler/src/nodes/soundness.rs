@@ -84,6 +84,19 @@ pub enum DefinitionError {
         /// Words the guard writes.
         written: usize,
     },
+    /// A guard looks at an input that has a guard itself: where that does not hold, there is nothing to look at.
+    #[error(
+        "the guard of input `{input}` of `{node}` looks at `{at}`, which is not demanded everywhere itself; let it \
+         look at inputs without a guard"
+    )]
+    GuardOfGuarded {
+        /// The node type.
+        node: String,
+        /// The input.
+        input: String,
+        /// The input looked at.
+        at: String,
+    },
     /// It has no form at all.
     #[error("`{0}` has no overload")]
     NoOverload(String),
@@ -153,6 +166,37 @@ impl Definition {
             }
             if written > MAX_OUTPUTS {
                 return Err(DefinitionError::TooManyWords { node: node(), written });
+            }
+        }
+        self.check_what_guards_read()
+    }
+
+    /// What is not demanded has no value that a guard could look at.
+    fn check_what_guards_read(&self) -> Result<(), DefinitionError> {
+        let inputs = &self.signature.inputs;
+        if inputs.iter().filter(|input| input.guarded).count() < 2 {
+            return Ok(());
+        }
+        for settled in self.settled() {
+            for overload in &settled.overloads {
+                // The input each word is of.
+                let words: Vec<usize> = (inputs.iter().enumerate())
+                    .flat_map(|(at, input)| vec![at; overload.width(input.value_type)])
+                    .collect();
+                for (guard, input) in overload.guards.iter().zip(inputs) {
+                    let Some(guard) = guard else { continue };
+                    let reads = guard.recorded().reads(words.len());
+                    let mut words = words.iter().zip(reads);
+                    let guarded =
+                        |&(at, read): &(&usize, bool)| read && overload.guards[*at].is_some();
+                    if let Some((&at, _)) = words.find(guarded) {
+                        return Err(DefinitionError::GuardOfGuarded {
+                            node: self.signature.name.to_string(),
+                            input: input.name.to_string(),
+                            at: inputs[at].name.to_string(),
+                        });
+                    }
+                }
             }
         }
         Ok(())
@@ -246,6 +290,21 @@ mod tests {
         assert_eq!(error, "the guard of input `a` of `mix` writes 4 words where 1 is due");
         mix.overloads.clear();
         assert_eq!(mix.check().unwrap_err().to_string(), "`mix` has no overload");
+    }
+
+    #[test]
+    fn a_guard_looks_at_nothing_that_has_a_guard_itself() {
+        let mut select = standard("select");
+        assert_eq!(select.check(), Ok(()));
+        // The condition is demanded only where it holds, says its own guard.
+        select.signature.inputs[0].guarded = true;
+        for overload in &mut select.overloads {
+            overload.guards[0] = overload.guards[1];
+        }
+        let error = select.check().expect_err("there may be no condition to look at").to_string();
+        let expected =
+            "the guard of input `condition` of `select` looks at `condition`, which is not";
+        assert!(error.starts_with(expected), "{error}");
     }
 
     #[test]

@@ -18,7 +18,7 @@ pub fn makers() -> Vec<Maker> {
     for generator in Generator::ALL {
         match generator.available() {
             Ok(()) => makers.push(Maker::Generator(generator)),
-            Err(JitError::UnsupportedTarget | JitError::MissingFeature(_)) => {}
+            Err(JitError::UnsupportedTarget | JitError::MissingFeature { .. }) => {}
             Err(other) => panic!("{other}"),
         }
     }

@@ -29,10 +29,15 @@ impl Clock {
         Self { queues: 0, running: None, who: Who::Renderer, shading: zero, whole: zero }
     }
 
-    /// A camera queue begins.
+    /// A camera queue begins. What the first one took is forgotten once there is another: shaders may make
+    /// their code in it.
     pub(super) fn start_queue(&mut self) {
         self.who = Who::Renderer;
-        self.running = self.queues.is_multiple_of(PERIOD).then(Instant::now);
+        if self.queues == 1 {
+            (self.shading, self.whole) = (Duration::ZERO, Duration::ZERO);
+        }
+        let measured = self.queues == 0 || self.queues % PERIOD == 1;
+        self.running = measured.then(Instant::now);
         self.queues += 1;
     }
 

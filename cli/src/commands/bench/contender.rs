@@ -28,10 +28,11 @@ impl Points {
         Self { results: vec![Shaded::default(); states.len()], states }
     }
 
-    /// Shades all of them once.
+    /// Shades all of them once, linked once as a renderer does it.
     fn shade(&mut self, shader: &dyn Shade, batch: usize) {
+        let links = shader.link(&mut NoScene);
         for (points, results) in self.states.chunks(batch).zip(self.results.chunks_mut(batch)) {
-            shader.shade(RootKind::Material, points, &mut NoScene, results);
+            shader.shade_linked(RootKind::Material, points, &links, &mut NoScene, results);
         }
     }
 }

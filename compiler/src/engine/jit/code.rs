@@ -12,9 +12,12 @@ use crate::storage::{FileShape, Lanes};
 /// Largest number of uniforms or slots: byte offsets stay below 2^31.
 const MOST_WORDS: usize = (i32::MAX as usize) / size_of::<Lanes>() - 1;
 
-/// Blocks that functions run over one after another, before the next blocks have their turn: a function finds what
-/// the one before it wrote in the cache. At 32 blocks of 107 slots this took a fifth off a light loop.
-const TILE: usize = 8;
+/// Bytes of blocks that functions run over one after another, before the next blocks have their turn: a function finds
+/// what the one before it wrote in the cache nearest to the CPU.
+const TILE: usize = 32 << 10;
+
+/// Fewest blocks of a turn: a call has its price, and blocks overlap.
+const FEWEST_BLOCKS: usize = 8;
 
 /// The machine code of a program's segments.
 #[derive(Debug)]
@@ -91,8 +94,9 @@ impl JitCode {
             return;
         }
         let file = lanes.as_mut_ptr();
-        for first in blocks.clone().step_by(TILE) {
-            let blocks = TILE.min(blocks.end - first);
+        let tile = (TILE / (slots * size_of::<Lanes>())).max(FEWEST_BLOCKS);
+        for first in blocks.clone().step_by(tile) {
+            let blocks = tile.min(blocks.end - first);
             let before = uniforms + first * slots;
             for function in functions.clone() {
                 // The code reads uniforms below `uniforms` and accesses slots below `slots` of these blocks

@@ -7,8 +7,15 @@ pub enum JitError {
     #[error("the jit engine needs an x86-64 processor; the batch engine runs everywhere")]
     UnsupportedTarget,
     /// The CPU lacks a feature the code relies on.
-    #[error("the jit engine needs a processor with {0}; the batch engine runs everywhere")]
-    MissingFeature(&'static str),
+    #[error("machine code by {generator} needs a processor with {feature}; {remedy}")]
+    MissingFeature {
+        /// Who makes the code.
+        generator: &'static str,
+        /// What the CPU lacks.
+        feature: &'static str,
+        /// What runs there.
+        remedy: &'static str,
+    },
     /// Offsets in the file must fit 31 bits.
     #[error("the program is too large for the jit engine: {words} words in one block")]
     TooLarge {

@@ -39,7 +39,13 @@ impl Generator {
                 }
             };
             match features.iter().find(|(_, present)| !present) {
-                Some((missing, _)) => Err(JitError::MissingFeature(missing)),
+                Some((feature, _)) => {
+                    let remedy = match self {
+                        Self::Native => "`cranelift` may run here, and the batch engine does",
+                        Self::Cranelift => "the batch engine runs everywhere",
+                    };
+                    Err(JitError::MissingFeature { generator: self.name(), feature, remedy })
+                }
                 None => Ok(()),
             }
         }

@@ -5,7 +5,7 @@
 
 use cranelift_entity::PrimaryMap;
 
-use crate::ops::OpSegment;
+use crate::ops::{OpSegment, verify};
 use crate::schedule::{Item, Loop, Request, Schedule, Segment, Step};
 use crate::specialise::{Context, Turns};
 use crate::state::Iterated;
@@ -31,6 +31,7 @@ pub fn lay_out(schedule: &Schedule, pieces: &mut Pieces) -> Layout {
         function.wanted.iter_mut().for_each(|source| *source = places.source(*source));
         function.stores.iter_mut().for_each(|(slot, _)| *slot = places.slot(*slot));
     }
+    verify::after("layout", || pieces.functions.iter().try_for_each(verify::legal));
     let mut segments = PrimaryMap::with_capacity(schedule.segments.len());
     for (segment, pieces) in schedule.segments.values().zip(pieces.segments.values_mut()) {
         segments.push(kernels(segment, pieces, &places));

@@ -16,5 +16,6 @@ pub(super) mod worker;
 pub use code::JitCode;
 pub use error::JitError;
 pub use generator::Generator;
+pub use layout::{Layout, lay_out};
 pub use pieces::{Piece, Pieces};
 pub use plan::Plan;

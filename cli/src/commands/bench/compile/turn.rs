@@ -7,7 +7,7 @@ use cpu_time::ThreadTime;
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::document::read;
 use phenomenon_compiler::effects::NoScene;
-use phenomenon_compiler::engine::jit::{Generator, JitCode, Pieces};
+use phenomenon_compiler::engine::jit::{Generator, JitCode, Pieces, lay_out};
 use phenomenon_compiler::engine::{Shade, Shaded, Shader, ShaderError};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -83,12 +83,13 @@ impl Subject {
         let specialised = specialised.map_err(|error| failed(&error))?;
         let (schedule, in_order) = timed(|| schedule(&specialised));
         let uniforms = specialised.uniforms.values().len();
-        let (pieces, record) =
-            timed(|| Pieces::of(&schedule, uniforms, options.batch, generator, &[]));
-        let shape = FileShape {
-            uniforms: uniforms + pieces.hoisted.words(),
-            slots: stride(schedule.slots + pieces.scratch),
-        };
+        let ((pieces, layout), record) = timed(|| {
+            let mut pieces = Pieces::of(&schedule, uniforms, options.batch, generator, &[]);
+            let layout = lay_out(&schedule, &mut pieces);
+            (pieces, layout)
+        });
+        let (words, slots) = (layout.uniforms.len(), stride(layout.schedule.slots));
+        let shape = FileShape { uniforms: words, slots };
         let (code, generate) = timed(|| JitCode::compile(generator, &pieces.functions, shape));
         drop(black_box(code.map_err(|error| failed(&error))?));
 

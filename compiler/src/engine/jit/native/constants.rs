@@ -1,6 +1,6 @@
 //! The constants of a program.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use crate::storage::{LANES, Lanes};
 
@@ -8,7 +8,7 @@ use crate::storage::{LANES, Lanes};
 #[derive(Debug, Default)]
 pub struct Constants {
     rows: Vec<Lanes>,
-    known: HashMap<u32, u32>,
+    known: FxHashMap<u32, u32>,
 }
 
 impl Constants {
