@@ -47,7 +47,7 @@ pub enum InstanceKind {
         /// What it is about.
         subject: Subject<EpochId>,
     },
-    /// By running a body in every turn. Its last demand is the body.
+    /// By running a body in every turn. The body is none of its demands.
     Loop {
         /// Epoch of the body.
         epoch: EpochId,

@@ -15,7 +15,7 @@ impl Code {
     /// evaluations that took.
     ///
     /// Steps that wait stand on an explicit stack, so that no chain is too deep. Nothing is hashed or
-    /// allocated for a point, but by portable forms, which look up what their bodies recorded.
+    /// allocated for a point.
     pub(in crate::engine) fn run(
         &self,
         uniforms: &[u32],
