@@ -166,3 +166,34 @@ fn structural_mistakes_do_not_suit_the_schema() {
     }
     assert!(structural >= 25, "{structural}");
 }
+
+#[test]
+fn lists_of_requirements_are_read_as_the_schema_says() {
+    let validator = validator();
+    let library = NodeLibrary::standard();
+    let fine: &[Code] = &[];
+    for (requires, expected) in [
+        (r#""derivative": [1]"#, fine),
+        (r#""derivative": [2, 1]"#, fine),
+        (r#""derivative": []"#, &[Code::WRONG_LENGTH]),
+        (r#""derivative": [1, 2, 1]"#, &[Code::DUPLICATE_KEY]),
+        (r#""derivative": [1, 1.0]"#, &[Code::DUPLICATE_KEY]),
+        (r#""derivative": [3]"#, &[Code::NUMBER_OUT_OF_RANGE]),
+        (r#""derivative": 1"#, &[Code::WRONG_KIND]),
+        (r#""apply": ["material"]"#, fine),
+        (r#""apply": ["shadow", "material"]"#, fine),
+        (r#""apply": []"#, &[Code::WRONG_LENGTH]),
+        (r#""apply": ["material", "material"]"#, &[Code::DUPLICATE_KEY]),
+        (r#""apply": ["materiel"]"#, &[Code::UNKNOWN_CHOICE]),
+        (r#""apply": "material""#, &[Code::WRONG_KIND]),
+    ] {
+        let text = format!(
+            r#"{{ "phenomenon": "a", "requires": {{ {requires} }}, "roots": {{ "material": [1, 0, 0] }} }}"#
+        );
+        let checked = check_graph(&read("a.json", text.as_bytes()).unwrap(), &library);
+        let codes: Vec<Code> = checked.findings.iter().map(|finding| finding.code).collect();
+        assert_eq!(codes, expected, "{requires}");
+        let file = serde_json::from_str(&text).unwrap();
+        assert_eq!(validator.is_valid(&file), expected.is_empty(), "{requires}");
+    }
+}

@@ -93,7 +93,7 @@ pub static REQUIRES: Section = Section {
         key("volume_level", COUNT, Given::Default("0"), "Level by which volumes are ordered"),
         key(
             "derivative",
-            Kind::Several(&Kind::Whole(1..=2), 1..=2),
+            Kind::Set(&Kind::Whole(1..=2), 1..=2),
             Given::Optional,
             "Orders of the surface derivatives it needs",
         ),
@@ -105,7 +105,7 @@ pub static REQUIRES: Section = Section {
         ),
         key(
             "apply",
-            Kind::Several(&Kind::Word(&ROOT_NAMES), 1..=ROOT_NAMES.len()),
+            Kind::Set(&Kind::Word(&ROOT_NAMES), 1..=ROOT_NAMES.len()),
             Given::Optional,
             "What it may be used as; a root, or a place below a root, of another type is an error",
         ),

@@ -170,24 +170,48 @@ fn read<'d>(reader: &mut Reader<'d>, member: &'d Member, requirements: &mut Join
             }
         }
         "derivative" => {
-            for order in reader.list(value, &what).unwrap_or_default() {
-                let order = reader.integer(order, "the order of a derivative", 1..=2_u8);
-                requirements.rest.derivative.extend(order);
-            }
+            let orders = set(reader, value, &what, |reader, order| {
+                reader.integer(order, "the order of a derivative", 1..=2_u8)
+            });
+            requirements.rest.derivative.extend(orders.unwrap_or_default());
         }
         "parallel" => requirements.rest.parallel = reader.boolean(value, &what),
         "apply" => {
             let choices = RootKind::ALL.map(|kind| (kind.name(), kind));
-            let mut apply = BTreeSet::new();
-            for kind in reader.list(value, &what).unwrap_or_default() {
-                match reader.choice(kind, "a shader type", &choices) {
-                    Some(kind) => apply.extend([kind]),
-                    // It may have been any.
-                    None => apply.extend(RootKind::ALL),
-                }
-            }
-            requirements.rest.apply = Some(apply);
+            // Where something is wrong with it, it may have been any.
+            requirements.rest.apply = set(reader, value, &what, |reader, kind| {
+                reader.choice(kind, "a shader type", &choices)
+            });
         }
         _ => reader.unknown_key(member, "`requires`", &keys::REQUIRES.names()),
     }
+}
+
+/// A list of values, each once and at least one, which is all that is known of their number; none where one is wrong.
+fn set<'d, T: Ord + Copy>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    what: &str,
+    mut element: impl FnMut(&mut Reader<'d>, &'d Value) -> Option<T>,
+) -> Option<BTreeSet<T>> {
+    let elements = reader.list(value, what)?;
+    if elements.is_empty() {
+        let help = format!("give at least one value, or leave {what} out");
+        reader.report(Code::WRONG_LENGTH, value, format!("{what} is an empty list"), help);
+        return None;
+    }
+    let mut seen = BTreeSet::new();
+    let mut complete = true;
+    for value in elements {
+        match element(reader, value) {
+            Some(element) if !seen.insert(element) => {
+                let written = shortened(&reader.document.file.text[value.start..value.end]);
+                let message = format!("{what} has `{written}` twice");
+                reader.report(Code::DUPLICATE_KEY, value, message, "remove one of them");
+            }
+            Some(_) => {}
+            None => complete = false,
+        }
+    }
+    complete.then_some(seen)
 }

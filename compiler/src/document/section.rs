@@ -71,6 +71,8 @@ pub enum Kind {
     Number(RangeInclusive<f64>),
     /// So many values of one kind in a list.
     Several(&'static Kind, RangeInclusive<usize>),
+    /// So many values of one kind in a list, each once.
+    Set(&'static Kind, RangeInclusive<usize>),
     /// One of two kinds.
     Either(&'static Kind, &'static Kind),
     /// An object with known keys.
@@ -155,18 +157,13 @@ impl Kind {
             Kind::File => "path of a file".into(),
             Kind::Name => "name".into(),
             Kind::Word(words) => words_or(words),
-            Kind::Several(Kind::Word(words), _) => format!("list of {}", words_or(words)),
+            Kind::Set(Kind::Word(words), _) => format!("list of {}, each once", words_or(words)),
             Kind::True => "`true`".into(),
             Kind::Boolean => "`true` or `false`".into(),
             Kind::Whole(_) => "whole number".into(),
             Kind::Number(_) => "number".into(),
-            Kind::Several(of, count) => {
-                let count = match (count.start(), count.end()) {
-                    (least, most) if least == most => counted(*most),
-                    (least, most) => format!("{} to {}", counted(*least), counted(*most)),
-                };
-                format!("{count} {}s", of.described())
-            }
+            Kind::Several(of, count) => format!("{} {}s", counts(count), of.described()),
+            Kind::Set(of, count) => format!("{} {}s, each once", counts(count), of.described()),
             Kind::Either(one, other) => format!("{}, or {}", one.described(), other.described()),
             Kind::Object(_) => "object".into(),
             Kind::Objects(_) => "list of objects".into(),
@@ -187,7 +184,7 @@ impl Kind {
             Kind::Number(range) => {
                 format!("{} to {}", number(*range.start()), number(*range.end()))
             }
-            Kind::Several(of, _) => of.range(),
+            Kind::Several(of, _) | Kind::Set(of, _) => of.range(),
             Kind::Either(one, other) => match (one.range(), other.range()) {
                 (one, other) if one == other => one,
                 (one, other) => format!("{one}, or {other}"),
@@ -203,6 +200,13 @@ fn words_or(words: &[&str]) -> String {
     match quoted.split_last() {
         Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
         _ => quoted.concat(),
+    }
+}
+
+fn counts(count: &RangeInclusive<usize>) -> String {
+    match (count.start(), count.end()) {
+        (least, most) if least == most => counted(*most),
+        (least, most) => format!("{} to {}", counted(*least), counted(*most)),
     }
 }
 
@@ -236,7 +240,10 @@ mod tests {
         let kind = Kind::Either(&Kind::Whole(0..=5), &Kind::Several(&Kind::Whole(0..=9), 1..=3));
         assert_eq!(kind.described(), "whole number, or one to three whole numbers");
         assert_eq!(kind.range(), "0 to 5, or 0 to 9");
-        let words = Kind::Several(&Kind::Word(&["a", "b", "c"]), 1..=3);
-        assert_eq!(words.described(), "list of `\"a\"`, `\"b\"` or `\"c\"`");
+        let words = Kind::Set(&Kind::Word(&["a", "b", "c"]), 1..=3);
+        assert_eq!(words.described(), "list of `\"a\"`, `\"b\"` or `\"c\"`, each once");
+        let numbers = Kind::Set(&Kind::Whole(1..=2), 1..=2);
+        assert_eq!(numbers.described(), "one to two whole numbers, each once");
+        assert_eq!(numbers.range(), "1 to 2");
     }
 }

@@ -68,6 +68,10 @@ impl Sections {
                 "type": "array", "items": self.of_kind(of),
                 "minItems": count.start(), "maxItems": count.end(),
             }),
+            Kind::Set(of, count) => json!({
+                "type": "array", "items": self.of_kind(of),
+                "minItems": count.start(), "maxItems": count.end(), "uniqueItems": true,
+            }),
             Kind::Either(one, other) => {
                 json!({ "anyOf": [self.of_kind(one), self.of_kind(other)] })
             }

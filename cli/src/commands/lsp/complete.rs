@@ -195,7 +195,7 @@ impl Place<'_> {
 /// The words a key takes.
 fn words_of(kind: Option<&Kind>, offers: Offers) -> Vec<CompletionItem> {
     match kind {
-        Some(Kind::Word(words) | Kind::Several(Kind::Word(words), _)) => {
+        Some(Kind::Word(words) | Kind::Set(Kind::Word(words), _)) => {
             offers.words(words.iter().copied(), CompletionItemKind::VALUE)
         }
         Some(Kind::Boolean) => {
