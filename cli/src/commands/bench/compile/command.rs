@@ -74,10 +74,10 @@ impl Row {
 /// # Errors
 /// A folder that cannot be written, or a machine for which no code can be generated.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let generators = some(generators::here())?;
     let folder = arguments.output.as_deref();
     let results = folder.map(|folder| Results::new(folder, "compile")).transpose()?;
     let library = NodeLibrary::standard();
-    let generators = generators::here();
     let subjects = subjects(&arguments.nodes, &library)?;
     let mut rows = Vec::new();
     for subject in 0..subjects.len() {
@@ -105,6 +105,17 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         results.write(&json_rows(&subjects, &rows))?;
     }
     Ok(Outcome::Fine)
+}
+
+/// The generators, of which there must be one: an empty table would look like a measurement.
+fn some(generators: Vec<Generator>) -> Result<Vec<Generator>, Failure> {
+    match generators.is_empty() {
+        true => Err(Failure::new(
+            "no code can be generated for this machine, so there is nothing to measure",
+            "run it on an x86-64 machine with AVX2 and FMA; `bench shade` measures the other engines here",
+        )),
+        false => Ok(generators),
+    }
 }
 
 fn subjects(nodes: &[u32], library: &NodeLibrary) -> Result<Vec<Subject>, Failure> {
@@ -147,4 +158,18 @@ fn json_rows(subjects: &[Subject], rows: &[Row]) -> Vec<Value> {
         value
     };
     rows.iter().map(row).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_machine_without_generators_is_refused() {
+        let failure = some(Vec::new()).unwrap_err();
+        assert!(failure.to_string().contains("no code can be generated"), "{failure}");
+        assert!(failure.help().contains("x86-64") && failure.help().contains("bench shade"));
+        let all = some(Generator::ALL.to_vec()).unwrap();
+        assert_eq!(all, Generator::ALL);
+    }
 }
