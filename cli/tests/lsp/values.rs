@@ -106,3 +106,52 @@ fn settings_of_a_scene_offer_names_and_values_by_type() {
     assert_eq!(texts(&items(&mut editor, &scene, &with("", around)), "label"), ["smooth", "rough"]);
     editor.end();
 }
+
+/// The server completes in files as they are typed, so also where `check` would find too many parts.
+#[test]
+fn parts_that_multiply_leave_the_server_alive() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path().canonicalize().unwrap();
+    let elements = [r#"{ "struct": {} }"#; 16].join(", ");
+    let mut declared = r#"{ "type": "scalar", "default": 0 }"#.to_owned();
+    for _ in 0..8 {
+        declared = format!(
+            r#"{{ "type": "array", "default": [{elements}], "of": {{ "type": "struct", "members": {{ "m": {declared} }} }} }}"#
+        );
+    }
+    let graph = format!(
+        r#"{{ "phenomenon": "deep", "interface": {{ "a": {declared}, "last": {{ "type": "scalar", "default": 0 }} }}, "roots": {{ "material": 1 }} }}"#
+    );
+    std::fs::write(folder.join("deep.json"), graph).unwrap();
+    let text = r#"{ "scene": "s", "camera": { "position": [0, 0, 5], "look_at": [0, 0, 0] },
+      "objects": [{ "sphere": { "radius": 1 }, "material": { "file": "deep.json", "set": { "|" } } }] }"#;
+    let mut editor = Editor::start();
+    let names = texts(&items(&mut editor, &folder.join("scene.json"), text), "label");
+    assert_eq!(names[..3], ["a", "last", "a[0]"]);
+    assert!(names.len() < 10_000, "{}", names.len());
+    editor.end();
+}
+
+#[test]
+fn members_may_be_called_as_keys_are() {
+    let mut editor = Editor::start();
+    editor.open("{ \"phenomenon\": \"a\" }");
+    let mut keys = |interface: &str| {
+        editor.labels(&format!(
+            r#"{{ "phenomenon": "a", "interface": {{ {interface} }}, "roots": {{ "material": 1 }} }}"#
+        ))
+    };
+    let of_integer = keys(r#""i": { "type": "integer", "|" }"#);
+    assert!(of_integer.contains(&"soft_min".into()), "{of_integer:?}");
+    for name in ["of", "members", "type"] {
+        let member = format!(r#""{name}": {{ "type": "integer", "|" }}"#);
+        assert_eq!(keys(&member), of_integer, "{name}");
+        let inner = format!(r#""s": {{ "type": "struct", "members": {{ {member} }} }}"#);
+        assert_eq!(keys(&inner), of_integer, "{name}");
+        let array =
+            format!(r#""{name}": {{ "type": "array", "of": {{ "type": "integer", "|" }} }}"#);
+        assert_eq!(keys(&array), of_integer, "{name}");
+    }
+    assert!(keys(r#""s": { "type": "struct", "members": { "|" } }"#).is_empty());
+    editor.end();
+}

@@ -217,11 +217,16 @@ fn light_names(file: &OpenFile) -> Vec<String> {
     elements.iter().filter_map(name).collect()
 }
 
-/// Whether a place below `interface` is that of a declaration: of a parameter, of an element, or of a member.
+/// Whether a place below `interface` is that of a declaration: of a parameter, of an element, or of a member. It is read
+/// from the front, as parameters and members may themselves be called `of` and `members`.
 fn is_declaration(place: &[&str]) -> bool {
-    match place {
-        [_] => true,
-        [inner @ .., "of"] | [inner @ .., "members", _] => is_declaration(inner),
-        _ => false,
+    let [_, inner @ ..] = place else { return false };
+    let mut inner = inner;
+    loop {
+        inner = match inner {
+            [] => return true,
+            ["of", inner @ ..] | ["members", _, inner @ ..] => inner,
+            _ => return false,
+        };
     }
 }

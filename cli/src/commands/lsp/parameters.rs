@@ -9,6 +9,11 @@ use super::part::{Part, text};
 
 /// Most elements of an array that are offered one by one.
 const ELEMENTS: usize = 16;
+/// Most parts of parameters that are offered one by one. The file is not checked yet, and every level of arrays in it
+/// has so many times the parts of the level above.
+const PARTS: usize = 4096;
+/// Most bytes of text that are offered with them.
+const PART_BYTES: usize = 4 << 20;
 
 /// A declaration, with the document it stands in.
 #[derive(Clone, Copy)]
@@ -61,14 +66,63 @@ pub fn declaration<'d>(document: &'d Document, name: &str) -> Option<Declaration
     Some(Declaration { document, value })
 }
 
-/// The parameters of a phenomenon and their parts, as they are set one by one.
+/// The parameters of a phenomenon and their parts, as they are set one by one: those that are least nested first, and
+/// no more than [`PARTS`].
 pub fn settable(document: &Document) -> Vec<Part> {
-    let mut parts = Vec::new();
+    let mut found = Found::default();
     for member in declared(document) {
         let declared = Declaration { document, value: &member.value };
-        declared.add_parts(member.key.clone(), declared.value.get("default"), &mut parts);
+        if !found.add(member.key.clone(), declared, member.value.get("default")) {
+            break;
+        }
     }
-    parts
+    let mut at = 0;
+    while at < found.parts.len() && found.add_parts_of(at) {
+        at += 1;
+    }
+    found.parts.into_iter().map(|(name, declared, _)| declared.part(name)).collect()
+}
+
+/// Parts of parameters by name, with their defaults.
+#[derive(Default)]
+struct Found<'d> {
+    parts: Vec<(String, Declaration<'d>, Option<&'d Value>)>,
+    bytes: usize,
+}
+
+impl<'d> Found<'d> {
+    /// Adds a part, if there is room.
+    fn add(&mut self, name: String, declared: Declaration<'d>, default: Option<&'d Value>) -> bool {
+        self.bytes += name.len() + declared.bytes();
+        let has_room = self.parts.len() < PARTS && self.bytes <= PART_BYTES;
+        if has_room {
+            self.parts.push((name, declared, default));
+        }
+        has_room
+    }
+
+    /// Adds the elements and members of a part, as far as there is room.
+    fn add_parts_of(&mut self, at: usize) -> bool {
+        let (name, declared, default) = &self.parts[at];
+        let (name, declared, default) = (name.clone(), *declared, *default);
+        if let (Some(of), Some(ValueKind::Array(elements))) =
+            (declared.of(), default.map(|default| &default.kind))
+        {
+            for (at, element) in elements.iter().take(ELEMENTS).enumerate() {
+                if !self.add(format!("{name}[{at}]"), of, Some(element)) {
+                    return false;
+                }
+            }
+        }
+        for member in declared.members() {
+            let inner = Declaration { value: &member.value, ..declared };
+            let name = format!("{name}.{}", member.key);
+            if !self.add(name, inner, member.value.get("default")) {
+                return false;
+            }
+        }
+        true
+    }
 }
 
 impl<'d> Declaration<'d> {
@@ -93,25 +147,20 @@ impl<'d> Declaration<'d> {
     fn part(self, name: String) -> Part {
         let doc = text(self.value, "doc").unwrap_or_default();
         let choices: Vec<String> = self.labels().map(str::to_owned).collect();
-        let doc = match choices.is_empty() {
-            true => doc.to_owned(),
-            false => format!("{doc}\n\nOne of `{}`", choices.join("`, `")),
+        let words = format!("One of `{}`", choices.join("`, `"));
+        let doc = match (choices.is_empty(), doc.is_empty()) {
+            (true, _) => doc.to_owned(),
+            (false, true) => words,
+            (false, false) => format!("{doc}\n\n{words}"),
         };
         Part { name, of: self.type_name().into(), doc, choices }
     }
 
-    fn add_parts(self, name: String, default: Option<&Value>, parts: &mut Vec<Part>) {
-        parts.push(self.part(name.clone()));
-        let default = default.map(|default| &default.kind);
-        if let (Some(of), Some(ValueKind::Array(elements))) = (self.of(), default) {
-            for (at, element) in elements.iter().take(ELEMENTS).enumerate() {
-                of.add_parts(format!("{name}[{at}]"), Some(element), parts);
-            }
-        }
-        for member in self.members() {
-            let inner = Self { value: &member.value, ..self };
-            inner.add_parts(format!("{name}.{}", member.key), member.value.get("default"), parts);
-        }
+    /// About how many bytes of text its part has, besides its name.
+    fn bytes(self) -> usize {
+        let doc = text(self.value, "doc").map_or(0, str::len);
+        // Labels stand in the text, and among the choices.
+        doc + self.labels().map(|label| 2 * label.len() + size_of::<String>()).sum::<usize>()
     }
 
     /// The names of an enumeration.
@@ -229,7 +278,7 @@ mod tests {
           "on": { "type": "boolean", "default": true } } }"#;
         let document = read("a.json", text.as_bytes()).unwrap();
         let names: Vec<String> = settable(&document).into_iter().map(|part| part.name).collect();
-        let wanted = ["layers", "layers[0]", "layers[0].kind", "layers[1]", "layers[1].kind", "on"];
+        let wanted = ["layers", "on", "layers[0]", "layers[1]", "layers[0].kind", "layers[1].kind"];
         assert_eq!(names, wanted);
         for name in wanted {
             assert!(declaration(&document, name).is_some(), "{name}");
@@ -248,5 +297,48 @@ mod tests {
         assert_eq!(labels("on", &[], false), ["true", "false"]);
         assert!(labels("on", &[], true).is_empty(), "a string is no boolean");
         assert!(labels("on", &["x"], false).is_empty());
+    }
+
+    #[test]
+    fn an_enumeration_without_a_doc_is_told_by_its_words() {
+        let doc = |more: &str| {
+            let text = format!(
+                r#"{{ "interface": {{ "mode": {{ "type": "integer", "values": ["a", "b"]{more} }} }} }}"#
+            );
+            parameters(&read("a.json", text.as_bytes()).unwrap()).remove(0).doc
+        };
+        assert_eq!(doc(""), "One of `a`, `b`");
+        assert_eq!(doc(r#", "doc": "how""#), "how\n\nOne of `a`, `b`");
+    }
+
+    #[test]
+    fn parts_that_multiply_are_bounded() {
+        // Sixteen to the power of six elements.
+        let elements = vec![r#"{ "struct": {} }"#; ELEMENTS].join(", ");
+        let mut declared = r#"{ "type": "scalar", "default": 0 }"#.to_owned();
+        for _ in 0..6 {
+            declared = format!(
+                r#"{{ "type": "array", "default": [{elements}], "of": {{ "type": "struct", "members": {{ "m": {declared} }} }} }}"#
+            );
+        }
+        let text = format!(
+            r#"{{ "interface": {{ "a": {declared}, "b": {{ "type": "scalar", "default": 0 }} }} }}"#
+        );
+        let parts = settable(&read("a.json", text.as_bytes()).unwrap());
+        assert_eq!(parts.len(), PARTS);
+        let names: Vec<&str> = parts[..3].iter().map(|part| &*part.name).collect();
+        assert_eq!(names, ["a", "b", "a[0]"], "the least nested come first");
+        // Few parts, but each with a long text.
+        let doc = "d".repeat(PART_BYTES / 4);
+        let element = format!(r#"{{ "type": "scalar", "doc": "{doc}" }}"#);
+        let zeros = ["0"; ELEMENTS].join(", ");
+        let text = format!(
+            r#"{{ "interface": {{ "a": {{ "type": "array", "default": [{zeros}], "of": {element} }} }} }}"#
+        );
+        let names: Vec<String> = settable(&read("a.json", text.as_bytes()).unwrap())
+            .into_iter()
+            .map(|part| part.name)
+            .collect();
+        assert_eq!(names, ["a", "a[0]", "a[1]", "a[2]"]);
     }
 }
