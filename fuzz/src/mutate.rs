@@ -17,7 +17,7 @@ static WORDS: LazyLock<Vec<String>> = LazyLock::new(|| {
     let mut words = Vec::new();
     collect(&schema, &mut words);
     for output in LIBRARY.iter().flat_map(|(_, definition)| &definition.signature.outputs) {
-        words.push(output.name.to_owned());
+        words.push(output.name.to_string());
     }
     words.sort();
     words.dedup();
