@@ -109,10 +109,8 @@ impl Run<'_> {
                 let width = field.value_type().width();
                 let words = &mut self.memory.lanes[at..at + width];
                 objects.gather(field, states, words);
-                // Lanes of no point do as the last point does, so that they want nothing besides.
-                for Lanes(word) in words {
-                    let (of_points, rest) = word.split_at_mut(states.len());
-                    rest.fill(of_points.last().copied().unwrap_or_default());
+                if states.len() < LANES {
+                    follow_the_last(words, states.len());
                 }
             }
             let mask = self.mask(RegionId::ROOT, block);
@@ -223,6 +221,14 @@ impl Run<'_> {
             field.write(&mut state, &words);
         }
         state
+    }
+}
+
+/// Lanes of no point do as the last of the `points` does, so that they want nothing besides.
+fn follow_the_last(words: &mut [Lanes], points: usize) {
+    for Lanes(word) in words {
+        let (of_points, rest) = word.split_at_mut(points);
+        rest.fill(of_points.last().copied().unwrap_or_default());
     }
 }
 

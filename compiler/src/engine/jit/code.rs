@@ -24,6 +24,8 @@ const FEWEST_BLOCKS: usize = 8;
 pub struct JitCode {
     machine: Machine,
     shape: FileShape,
+    /// Blocks of a turn.
+    tile: usize,
 }
 
 #[derive(Debug)]
@@ -57,7 +59,7 @@ impl JitCode {
                 Machine::Cranelift(Box::new(CraneliftCode::compile(segments, shape)?))
             }
         };
-        Ok(Self { machine, shape })
+        Ok(Self { machine, shape, tile: tile(shape) })
     }
 
     /// Compiles by [`Generator::Native`] with fewer registers than there are (from 5 on), so that tests see words spilled.
@@ -73,7 +75,7 @@ impl JitCode {
         Generator::Native.available()?;
         check(segments, shape)?;
         let machine = Machine::Native(NativeCode::compile(segments, shape, registers)?);
-        Ok(Self { machine, shape })
+        Ok(Self { machine, shape, tile: tile(shape) })
     }
 
     /// Runs function after function over blocks of the file, a few blocks at a time.
@@ -94,9 +96,8 @@ impl JitCode {
             return;
         }
         let file = lanes.as_mut_ptr();
-        let tile = (TILE / (slots * size_of::<Lanes>())).max(FEWEST_BLOCKS);
-        for first in blocks.clone().step_by(tile) {
-            let blocks = tile.min(blocks.end - first);
+        for first in blocks.clone().step_by(self.tile) {
+            let blocks = self.tile.min(blocks.end - first);
             let before = uniforms + first * slots;
             for function in functions.clone() {
                 // The code reads uniforms below `uniforms` and accesses slots below `slots` of these blocks
@@ -124,6 +125,11 @@ impl JitCode {
             Machine::Cranelift(code) => code.bytes(),
         }
     }
+}
+
+/// Blocks of a turn, in a file of the shape.
+fn tile(shape: FileShape) -> usize {
+    (TILE / (shape.slots.max(1) * size_of::<Lanes>())).max(FEWEST_BLOCKS)
 }
 
 /// Whether segments can be compiled for files of the shape; the safety of running them rests on this.

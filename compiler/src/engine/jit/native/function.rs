@@ -27,10 +27,11 @@ pub fn write(
 ) -> Result<usize, &'static str> {
     let ops = &segment.ops;
     let stores = Stores::of(segment);
-    let live = live(segment);
+    let operands: Vec<Operands> = (0..ops.len()).map(|id| Operands::of(ops, id)).collect();
+    let live = live(segment, &operands);
     let uses = Uses::of(ops.len(), |use_at| {
         for id in (0..ops.len()).filter(|&id| live[id]) {
-            Operands::of(ops, id).distinct(|operand| use_at(operand, id));
+            operands[id].distinct(|operand| use_at(operand, id));
         }
         for (at, &(_, id)) in stores.late.iter().enumerate() {
             use_at(id, ops.len() + at);
@@ -38,7 +39,7 @@ pub fn write(
     });
     let start = assembler.len();
     let registers = Registers::new(assembler, constants, uses, registers);
-    let mut writer = Writer { segment, registers, position: 0 };
+    let mut writer = Writer { segment, operands: &operands, registers, position: 0 };
     let skip = writer.skip_unwanted();
     for id in (0..ops.len()).filter(|&id| live[id]) {
         writer.operation(id as OpId)?;
@@ -132,14 +133,14 @@ impl Operands {
 }
 
 /// Which operations something stored depends on.
-fn live(segment: &OpSegment) -> Vec<bool> {
+fn live(segment: &OpSegment, operands: &[Operands]) -> Vec<bool> {
     let mut live = vec![false; segment.ops.len()];
     for &(_, id) in &segment.stores {
         live[id as usize] = true;
     }
     for id in (0..segment.ops.len()).rev() {
         if live[id] {
-            Operands::of(&segment.ops, id).distinct(|operand| live[operand as usize] = true);
+            operands[id].distinct(|operand| live[operand as usize] = true);
         }
     }
     live
@@ -148,6 +149,7 @@ fn live(segment: &OpSegment) -> Vec<bool> {
 /// The instructions of a segment being written.
 pub(super) struct Writer<'a> {
     pub(super) segment: &'a OpSegment,
+    operands: &'a [Operands],
     pub(super) registers: Registers<'a>,
     /// The operation at hand.
     pub(super) position: usize,
@@ -189,7 +191,7 @@ impl Writer<'_> {
 
     fn operation(&mut self, id: OpId) -> Result<(), &'static str> {
         self.position = id as usize;
-        let Operands { ids, signs, .. } = Operands::of(&self.segment.ops, id as usize);
+        let Operands { ids, signs, .. } = self.operands[id as usize];
         self.write(id, self.segment.ops[id as usize], ids, signs)?;
         self.registers.end();
         Ok(())
