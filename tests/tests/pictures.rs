@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use phenomenon_compiler::check::{OnDisk, read_graph_file};
+use phenomenon_compiler::engine::jit::Generator;
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shader, Simd};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -101,10 +102,14 @@ fn every_engine_renders_the_same_bytes_with_the_same_rays() {
             let expected = picture(&compiled(shape, graph, walk), 1, 256, size);
             let bytes = exr(&expected);
             assert!(expected.statistics.rays.eye == 28 * 20 * 2);
-            for engine in [Engine::Walk, Engine::Batch, Engine::Jit, Engine::Auto] {
+            let engines = [Engine::Walk, Engine::Batch, Engine::Jit, Engine::Auto];
+            let engines = engines.map(|engine| (engine, None));
+            let cranelift = (Engine::Jit, Some(Generator::Cranelift));
+            for (engine, generator) in engines.into_iter().chain([cranelift]) {
                 for simd in [Simd::Native, Simd::Portable] {
                     for batch in [1, 7, 256] {
-                        let options = Options { engine, simd, batch, ..Options::default() };
+                        let options =
+                            Options { engine, simd, generator, batch, ..Options::default() };
                         let scene = compiled(shape, graph, options);
                         for threads in [1, 2] {
                             let rendered = picture(&scene, threads, batch, size);
