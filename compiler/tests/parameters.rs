@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::document;
-use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
-use phenomenon_compiler::graph::{BindError, Graph};
+use phenomenon_compiler::effects::NoScene;
+use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader, ShaderError};
+use phenomenon_compiler::graph::{BindError, Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::state::State;
 use phenomenon_compiler::values::Literal;
 
 const GRAPH: &str = r#"{
@@ -90,6 +92,36 @@ fn ranges_hold_when_a_shader_is_made_and_when_it_is_set() {
         ] {
             shader.set(name, &value).unwrap_or_else(|error| panic!("{name} = {value}: {error}"));
         }
+    }
+}
+
+/// A thread lends its shaders the same memory, where the words of the one before still lie.
+#[test]
+fn shaders_that_take_turns_see_their_own_words() {
+    let library = NodeLibrary::standard();
+    let graph = graph(&library);
+    for engine in [Engine::Batch, Engine::Jit] {
+        let options = Options { engine, ..Options::default() };
+        let tinted = |tint: [f32; 4]| {
+            let values = [("tint".to_owned(), Literal::Color(tint))];
+            Shader::new(Arc::clone(&graph), &values, options).expect("it compiles")
+        };
+        let shaded = |shader: &Shader, points: usize| {
+            let mut results = vec![Shaded::default(); points];
+            let states = vec![State::default(); points];
+            shader.shade(RootKind::Material, &states, &mut NoScene, &mut results);
+            assert!(results.iter().all(|result| *result == results[0]), "{engine:?}");
+            results[0].color
+        };
+        let (red, green) = ([1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0]);
+        let (mut first, second) = (tinted(red), tinted(green));
+        for points in [1, 1, 9, 300, 1] {
+            assert_eq!((shaded(&first, points), shaded(&second, points)), (red, green));
+        }
+        first.set("tint", &Literal::Color(green)).expect("it is in range");
+        assert_eq!(shaded(&first, 1), green);
+        first.set("tint", &Literal::Color(red)).expect("it is in range");
+        assert_eq!((shaded(&first, 1), shaded(&second, 1)), (red, green));
     }
 }
 

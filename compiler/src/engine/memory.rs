@@ -21,6 +21,8 @@ pub(super) struct Memory {
 }
 
 /// Runs `work` with memory of its own.
+// Inlined, or a call of a single point would wait for the words of the closure to be written.
+#[inline(always)]
 pub(super) fn with_memory<T>(work: impl FnOnce(&mut Memory) -> T) -> T {
     let mut memory = FREE.with_borrow_mut(Vec::pop).unwrap_or_default();
     let result = work(&mut memory);

@@ -95,6 +95,12 @@ impl Runs {
         }
     }
 
+    /// Takes the first blocks, so many.
+    pub fn all(&mut self, blocks: usize) {
+        self.used.clear();
+        self.used.push(0..blocks);
+    }
+
     /// The blocks in which some point is run and holds all of these masks.
     pub fn wanting(
         &self,

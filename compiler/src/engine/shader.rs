@@ -13,7 +13,7 @@ use crate::state::{RayType, State};
 use crate::values::{Literal, Texture};
 
 use super::evaluations::Evaluations;
-use super::execute::Program;
+use super::execute::{Program, UniformWords, WordsId};
 use super::jit::{Generator, JitError, Pieces, Plan, worker};
 use super::links::{FirstLinks, Links};
 use super::memory::with_memory;
@@ -74,7 +74,7 @@ struct Compiled {
     uniforms: Uniforms,
     links: FirstLinks,
     /// The uniform words and what the plan's code reads besides, once points were shaded under these values.
-    words: OnceLock<Vec<u32>>,
+    words: OnceLock<(Vec<u32>, WordsId)>,
     code: Arc<RootCode>,
 }
 
@@ -398,10 +398,15 @@ impl Shade for Shader {
         let Some(schedule) = schedule else { return };
         let (runner, schedule, uniforms, counts) = match self.plan(&program.code, schedule) {
             Some(plan) => {
-                let words = program.words.get_or_init(|| plan.uniform_words(uniforms));
-                (Runner::Jit(plan), plan.schedule(schedule), words.as_slice(), &self.counts.jit)
+                let new = || (plan.uniform_words(uniforms), WordsId::unique());
+                let (words, id) = program.words.get_or_init(new);
+                let uniforms = UniformWords { words, id: Some(*id) };
+                (Runner::Jit(plan), plan.schedule(schedule), uniforms, &self.counts.jit)
             }
-            None => (Runner::Kernels(simd), schedule, uniforms, &self.counts.batch),
+            None => {
+                let uniforms = UniformWords { words: uniforms, id: None };
+                (Runner::Kernels(simd), schedule, uniforms, &self.counts.batch)
+            }
         };
         let counted = count.then_some(specialised);
         let program = Program { schedule, uniforms, runner, batch, counted };

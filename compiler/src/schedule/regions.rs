@@ -34,6 +34,17 @@ pub struct Schedule {
     pub tables: PrimaryMap<LightTableId, LightTable>,
 }
 
+impl Schedule {
+    /// The segment that is all there is to run: nothing is asked, forced or repeated.
+    pub fn only_segment(&self) -> Option<SegmentId> {
+        let mut regions = self.regions.values();
+        match (regions.next()?.items.as_slice(), regions.next()) {
+            ([Item::Segment(at)], None) => Some(*at),
+            _ => None,
+        }
+    }
+}
+
 /// What is demanded under one mask.
 #[derive(Clone, Debug, Default)]
 pub struct Region {

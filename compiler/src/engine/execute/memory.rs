@@ -1,5 +1,7 @@
 //! What the executor works in.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use cranelift_entity::SecondaryMap;
 
 use crate::engine::Evaluations;
@@ -14,6 +16,8 @@ use crate::storage::{FileShape, LANES, Lanes};
 #[derive(Debug, Default)]
 pub struct Memory {
     pub(super) lanes: Vec<Lanes>,
+    /// Whose uniform words lie there, if that is known.
+    holds: Option<WordsId>,
     /// Per region and block, the lanes it is being run for.
     pub(super) todo: Vec<u8>,
     /// Per region and block, the lanes it was run for.
@@ -30,6 +34,28 @@ pub struct Memory {
     pub(super) chosen: Vec<usize>,
     pub(super) asking: Asking,
     pub(super) turning: Turning,
+}
+
+/// The uniform words of a program.
+#[derive(Clone, Copy, Debug)]
+pub struct UniformWords<'a> {
+    /// The words.
+    pub words: &'a [u32],
+    /// Which words they are: nobody else's have this, and they never change. A call of a single point would
+    /// spend its time writing them anew.
+    pub id: Option<WordsId>,
+}
+
+/// What tells uniform words of one program, under one set of values, from all others of the process.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WordsId(u64);
+
+impl WordsId {
+    /// One that nobody has.
+    pub fn unique() -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(0);
+        Self(NEXT.fetch_add(1, Ordering::Relaxed))
+    }
 }
 
 /// What is counted of a batch.
@@ -66,17 +92,18 @@ pub(super) enum Frame {
 
 impl Memory {
     /// Makes room for a batch, with the uniform words in place.
-    pub(super) fn fit(
-        &mut self,
-        schedule: &Schedule,
-        uniforms: &[u32],
-        shape: FileShape,
-        blocks: usize,
-    ) {
+    pub(super) fn fit(&mut self, uniforms: UniformWords<'_>, shape: FileShape, blocks: usize) {
         self.lanes.resize(shape.words(blocks).max(self.lanes.len()), Lanes::default());
-        for (lane, word) in self.lanes.iter_mut().zip(uniforms) {
-            *lane = Lanes([*word; LANES]);
+        if uniforms.id.is_none() || self.holds != uniforms.id {
+            for (lane, word) in self.lanes.iter_mut().zip(uniforms.words) {
+                *lane = Lanes([*word; LANES]);
+            }
+            self.holds = uniforms.id;
         }
+    }
+
+    /// Forgets what was run for other points.
+    pub(super) fn begin(&mut self, schedule: &Schedule, blocks: usize) {
         let masks = schedule.regions.len() * blocks;
         self.todo.clear();
         self.todo.resize(masks, 0);

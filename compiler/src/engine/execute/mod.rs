@@ -7,5 +7,5 @@ mod memory;
 mod run;
 mod tally;
 
-pub use memory::Memory;
+pub use memory::{Memory, UniformWords, WordsId};
 pub use run::Program;

@@ -9,10 +9,10 @@ use crate::engine::runner::Runner;
 use crate::engine::shade::Shaded;
 use crate::schedule::{Item, RegionId, Schedule};
 use crate::specialise::{Context, Specialised};
-use crate::state::{Field, State};
+use crate::state::{Field, Objects, State};
 use crate::storage::{FileShape, LANES, Lanes, Source};
 
-use super::memory::{Frame, Memory};
+use super::memory::{Frame, Memory, UniformWords};
 
 /// Bytes of slots a batch may fill; larger programs run fewer points at once.
 const MAX_FILE_BYTES: usize = 64 << 20;
@@ -22,7 +22,7 @@ pub struct Program<'a> {
     /// The schedule.
     pub schedule: &'a Schedule,
     /// Uniform words.
-    pub uniforms: &'a [u32],
+    pub uniforms: UniformWords<'a>,
     /// How segments are run.
     pub runner: Runner<'a>,
     /// Most points at once.
@@ -34,7 +34,7 @@ pub struct Program<'a> {
 impl Program<'_> {
     /// The shape of its file: the schedule's slots, and what the runner needs besides.
     fn shape(&self) -> FileShape {
-        FileShape { uniforms: self.uniforms.len(), slots: self.runner.slots(self.schedule) }
+        FileShape { uniforms: self.uniforms.words.len(), slots: self.runner.slots(self.schedule) }
     }
 
     /// Shades `points` and writes one result each; tells how many evaluations that took, if they are counted.
@@ -48,20 +48,56 @@ impl Program<'_> {
     ) -> Evaluations {
         memory.tally.counted = Evaluations::default();
         let shape = self.shape();
-        let block_bytes = shape.slots.max(1) * size_of::<Lanes>();
-        let most = self.batch.div_ceil(LANES).min(MAX_FILE_BYTES / block_bytes).max(1) * LANES;
-        let chunk = most.min(self.batch.max(1));
-        for (points, results) in points.chunks(chunk).zip(results.chunks_mut(chunk)) {
-            let blocks = points.len().div_ceil(LANES);
-            memory.fit(self.schedule, self.uniforms, shape, blocks);
-            memory.tally.fit(self.counted, blocks);
-            let mut run = Run { program: self, shape, points, blocks, links, renderer, memory };
-            run.load();
-            run.regions();
-            run.settle_points();
-            run.store(results);
+        let chunk = self.most_points(shape, points.len());
+        let (mut points, mut results) = (points, results);
+        while !points.is_empty() {
+            let at = chunk.min(points.len());
+            let (now, later) = points.split_at(at);
+            let (written, unwritten) = results.split_at_mut(at);
+            self.run_batch(shape, now, links, &mut *renderer, written, memory);
+            (points, results) = (later, unwritten);
         }
         memory.tally.counted
+    }
+
+    /// Most points that are run at once, of so many.
+    fn most_points(&self, shape: FileShape, points: usize) -> usize {
+        if points <= LANES.min(self.batch) {
+            return LANES;
+        }
+        let block_bytes = shape.slots.max(1) * size_of::<Lanes>();
+        let most = self.batch.div_ceil(LANES).min(MAX_FILE_BYTES / block_bytes).max(1) * LANES;
+        most.min(self.batch.max(1))
+    }
+
+    fn run_batch(
+        &self,
+        shape: FileShape,
+        points: &[State],
+        links: Linked<'_>,
+        renderer: &mut dyn Renderer,
+        results: &mut [Shaded],
+        memory: &mut Memory,
+    ) {
+        let blocks = points.len().div_ceil(LANES);
+        memory.fit(self.uniforms, shape, blocks);
+        if let (Some(segment), None) = (self.schedule.only_segment(), self.counted) {
+            let mut run = Run { program: self, shape, points, blocks, links, renderer, memory };
+            run.load();
+            let Memory { lanes, runs, .. } = &mut *run.memory;
+            runs.all(blocks);
+            self.runner.segment(self.schedule, segment, shape, lanes, runs);
+            run.store(results);
+            return;
+        }
+        memory.begin(self.schedule, blocks);
+        memory.tally.fit(self.counted, blocks);
+        let mut run = Run { program: self, shape, points, blocks, links, renderer, memory };
+        run.load();
+        run.choose_all();
+        run.regions();
+        run.settle_points();
+        run.store(results);
     }
 }
 
@@ -100,7 +136,7 @@ impl Run<'_> {
         region.index() * self.blocks + block
     }
 
-    /// Writes the state fields in use, and the mask of all points, block by block.
+    /// Writes the state fields in use, block by block.
     fn load(&mut self) {
         let objects = self.renderer.objects();
         for (block, states) in self.points.chunks(LANES).enumerate() {
@@ -108,11 +144,21 @@ impl Run<'_> {
                 let at = self.shape.slot(first, block);
                 let width = field.value_type().width();
                 let words = &mut self.memory.lanes[at..at + width];
+                if let [state] = states {
+                    all_of_one(objects, field, state, words);
+                    continue;
+                }
                 objects.gather(field, states, words);
                 if states.len() < LANES {
                     follow_the_last(words, states.len());
                 }
             }
+        }
+    }
+
+    /// Sets the mask of all points.
+    fn choose_all(&mut self) {
+        for (block, states) in self.points.chunks(LANES).enumerate() {
             let mask = self.mask(RegionId::ROOT, block);
             self.memory.todo[mask] = (0xff_u32 >> (LANES - states.len())) as u8;
         }
@@ -221,6 +267,16 @@ impl Run<'_> {
             field.write(&mut state, &words);
         }
         state
+    }
+}
+
+/// All lanes do as the only point does, each word written at once: a row written lane by lane would be waited
+/// for when it is read.
+fn all_of_one(objects: Objects<'_>, field: Field, state: &State, lanes: &mut [Lanes]) {
+    let mut words = [0; Field::MOST_WORDS];
+    objects.read(field, state, &mut words);
+    for (lanes, word) in lanes.iter_mut().zip(words) {
+        *lanes = Lanes([word; LANES]);
     }
 }
 

@@ -96,7 +96,9 @@ impl JitCode {
             return;
         }
         let file = lanes.as_mut_ptr();
-        for first in blocks.clone().step_by(self.tile) {
+        // No `step_by`, which divides.
+        let mut first = blocks.start;
+        while first < blocks.end {
             let blocks = self.tile.min(blocks.end - first);
             let before = uniforms + first * slots;
             for function in functions.clone() {
@@ -114,6 +116,7 @@ impl JitCode {
                     },
                 }
             }
+            first += blocks;
         }
     }
 
