@@ -1,9 +1,11 @@
 //! `phenomenon lsp`, spoken to as an editor would.
 
+mod answers;
 mod disk;
 mod editor;
 mod files;
 mod foreign;
+mod names;
 mod protocol;
 mod scenes;
 mod typing;

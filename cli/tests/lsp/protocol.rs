@@ -8,8 +8,8 @@ use crate::editor::{Editor, URI};
 #[test]
 fn what_is_not_known_is_an_error_and_no_end() {
     let mut editor = Editor::start();
-    let answer = editor.ask("textDocument/rename", json!({ "textDocument": { "uri": URI } }));
-    assert!(answer["error"]["message"].as_str().unwrap().contains("textDocument/rename"));
+    let answer = editor.ask("textDocument/moniker", json!({ "textDocument": { "uri": URI } }));
+    assert!(answer["error"]["message"].as_str().unwrap().contains("textDocument/moniker"));
     let place = json!({ "textDocument": { "uri": "file:///never/opened" }, "position": { "line": 9, "character": 9 } });
     assert!(editor.ask("textDocument/hover", place)["result"].is_null());
     editor.tell("textDocument/didChange", json!({ "nonsense": [] }));

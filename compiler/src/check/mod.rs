@@ -55,4 +55,5 @@ pub use graph::{Checked, check_graph, check_graph_with, read_graph_file};
 pub use limits::{
     MAX_ADVISED, MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_PARTS, MAX_SHADERS,
 };
+pub use names::name_mistake;
 pub use settings::{Setting, SettingError, bind_setting, bind_settings, bind_text};

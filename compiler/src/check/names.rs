@@ -21,7 +21,8 @@ pub(super) fn check_key(reader: &mut Reader<'_>, member: &Member, what: &str) {
 
 const NAME_HELP: &str = "use letters, digits, `_` and `-`, at most 256 of them";
 
-fn name_mistake(what: &str, name: &str) -> Option<String> {
+/// What keeps a name from standing in a path or on the command line, in words that begin with `what`.
+pub fn name_mistake(what: &str, name: &str) -> Option<String> {
     if name.is_empty() {
         return Some(format!("{what} is empty"));
     }

@@ -20,7 +20,8 @@ const LENGTH: Kind = Kind::Number(LENGTHS);
 
 const SCENE_UNITS: &str = "scene units";
 const DEGREES: &str = "degrees";
-const LINEAR: &str = "linear Rec. 709";
+/// The unit of colours.
+pub const LINEAR: &str = "linear Rec. 709";
 
 /// A key without a unit.
 const fn key(name: &'static str, kind: Kind, given: Given, doc: &'static str) -> Key {

@@ -24,5 +24,5 @@ pub use file::{
     LightNames, SceneFile, check_scene, check_scene_with, is_scene, read_scene, read_scene_file,
 };
 pub use fit::{MAX_UNKNOWN_LIGHTS, missing_root, settings, unknown_lights};
-pub use keys::{COORDINATES, LENGTHS, LIGHT, SCENE};
+pub use keys::{COORDINATES, LENGTHS, LIGHT, LINEAR, SCENE};
 pub use schema::file_schema;

@@ -14,6 +14,7 @@ use super::open_files::OpenFiles;
 use super::parameters::{Declaration, declaration, settable};
 use super::part::text;
 use super::parts::{members, parts_of, phenomenon, phenomenon_of};
+use super::paths;
 use crate::ours::Ours;
 
 /// Completions at a byte of the file.
@@ -27,6 +28,12 @@ pub fn complete(
     let path: Vec<&str> = cursor.path.iter().map(String::as_str).collect();
     let offers = Offers { in_string: cursor.written.is_some() };
     let place = Place { file, cursor: &cursor, library, files, offers };
+    if let (Some(_), false, Some(written), Some(key)) =
+        (file.ours, cursor.at_key, &cursor.written, path.last())
+        && let Some(endings) = paths::endings(key)
+    {
+        return paths::complete(file, at, written, endings);
+    }
     match file.ours {
         Some(Ours::Scene) => place.in_scene(&path),
         Some(_) if cursor.at_key => place.key(&path),

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use lsp_types::{
-    Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, Location, NumberOrString,
-    Position, Range, Uri,
+    Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, Location,
+    NumberOrString, Position, Range, Uri,
 };
 use phenomenon_compiler::check::check_graph_with;
-use phenomenon_compiler::diagnostics::{Finding, Place, Related, Severity, SourceFile};
+use phenomenon_compiler::diagnostics::{Code, Finding, Place, Related, Severity, SourceFile};
 use phenomenon_compiler::document::{self, Document, ValueKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::link::check_with_graphs;
@@ -90,6 +90,40 @@ impl OpenFile {
         &self.path
     }
 
+    /// The folder it is in.
+    pub fn folder(&self) -> &Path {
+        self.path.parent().unwrap_or(Path::new(""))
+    }
+
+    /// Its address, as the editor gives it.
+    pub fn uri(&self) -> &str {
+        &self.uri
+    }
+
+    /// Its address, where it is one.
+    pub fn own_uri(&self) -> Option<Uri> {
+        self.uri.parse().ok()
+    }
+
+    /// What it is as JSON; none while the text is none, when places would be off.
+    pub fn current(&self) -> Option<&Document> {
+        self.document.as_ref().filter(|document| document.file.text == self.text())
+    }
+
+    /// Bytes of the text, as the protocol counts them.
+    pub fn range_of(&self, bytes: &std::ops::Range<usize>) -> Range {
+        range_in(&self.source, bytes)
+    }
+
+    /// Its findings that are surely mended by a text in their place, with the text.
+    pub fn fixes(&self) -> impl Iterator<Item = (Diagnostic, &str)> {
+        self.findings.iter().filter_map(|finding| {
+            let fix = finding.fix.as_deref()?;
+            let own = finding.place.file.name == self.source.name;
+            own.then(|| (self.diagnostic(finding), fix))
+        })
+    }
+
     /// Whether it uses the file with these names, or one in the folder with them.
     pub fn uses(&self, names: &[PathBuf; 2]) -> bool {
         self.used.iter().any(|used| names.iter().any(|name| used.starts_with(name)))
@@ -150,6 +184,7 @@ impl OpenFile {
             source: Some("phenomenon".into()),
             message,
             related_information: Some(related.collect()),
+            tags: IDLE.contains(&finding.code).then(|| vec![DiagnosticTag::UNNECESSARY]),
             ..Diagnostic::default()
         }
     }
@@ -201,8 +236,16 @@ fn name_of_file<'d>(
     }
 }
 
+/// Codes of what could be left out.
+const IDLE: [Code; 3] = [Code::UNREACHABLE_NODE, Code::UNUSED_PARAMETER, Code::DEAD_INPUT];
+
 fn range(place: &Place) -> Range {
-    Range { start: position(&place.file, place.start), end: position(&place.file, place.end) }
+    range_in(&place.file, &(place.start..place.end))
+}
+
+/// Bytes of a file, as the protocol counts them.
+pub fn range_in(file: &SourceFile, bytes: &std::ops::Range<usize>) -> Range {
+    Range { start: position(file, bytes.start), end: position(file, bytes.end) }
 }
 
 fn position(file: &SourceFile, byte: usize) -> Position {

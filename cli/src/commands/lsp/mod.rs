@@ -1,6 +1,7 @@
 //! `phenomenon lsp`: a language server, so that editors show findings while one types.
 
 mod address;
+mod answers;
 mod command;
 mod complete;
 mod cursor;
@@ -8,11 +9,13 @@ mod file;
 mod hover;
 mod in_editor;
 mod keys;
+mod names;
 mod offers;
 mod open_files;
 mod parameters;
 mod part;
 mod parts;
+mod paths;
 mod server;
 mod transport;
 

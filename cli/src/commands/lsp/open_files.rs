@@ -36,6 +36,11 @@ impl OpenFiles {
         self.files.get(uri)
     }
 
+    /// All of them.
+    pub fn iter(&self) -> impl Iterator<Item = &OpenFile> {
+        self.files.values()
+    }
+
     /// The file at a path: as it was JSON last in the editor, or else as it is on disk.
     pub fn document(&self, path: &Path) -> Option<Document> {
         let names = names_of(path);

@@ -42,6 +42,20 @@ pub fn parts_of(
     phenomenon(file, named, files).map(|document| of_phenomenon(&document, named))
 }
 
+/// What a node has, as it stands in the file.
+pub fn parts_of_node(
+    file: &OpenFile,
+    node: &Value,
+    library: &NodeLibrary,
+    files: &OpenFiles,
+) -> Option<Parts> {
+    if let Some(name) = text(node, "type") {
+        return library.find(name).map(|node_type| of_signature(library.signature(node_type)));
+    }
+    let named = text(node.get("type")?, "file")?;
+    phenomenon(file, named, files).map(|document| of_phenomenon(&document, named))
+}
+
 /// The phenomenon the node called `name` is, in the file as it was JSON last.
 pub fn phenomenon_of(file: &OpenFile, name: &str, files: &OpenFiles) -> Option<Document> {
     let node = members(file, "nodes").iter().find(|member| member.key == name)?;

@@ -6,21 +6,28 @@ use lsp_types::notification::{
     DidSaveTextDocument, Initialized, Notification as _, PublishDiagnostics,
 };
 use lsp_types::request::{
-    Completion, HoverRequest, Initialize, RegisterCapability, Request as _, Shutdown,
+    CodeActionRequest, ColorPresentationRequest, Completion, DocumentColor,
+    DocumentHighlightRequest, DocumentLinkRequest, DocumentSymbolRequest, Formatting,
+    GotoDefinition, HoverRequest, Initialize, PrepareRenameRequest, References, RegisterCapability,
+    Rename, Request as _, SemanticTokensFullRequest, Shutdown,
 };
 use lsp_types::{
-    CompletionOptions, Diagnostic, DidChangeWatchedFilesClientCapabilities,
-    DidChangeWatchedFilesRegistrationOptions, FileSystemWatcher, GlobPattern,
-    HoverProviderCapability, InitializeResult, Position, Registration, RegistrationParams,
-    ServerCapabilities, ServerInfo, TextDocumentContentChangeEvent, TextDocumentSyncCapability,
-    TextDocumentSyncKind, TextDocumentSyncOptions, TextDocumentSyncSaveOptions,
+    CodeActionKind, CodeActionOptions, CodeActionProviderCapability, Color,
+    ColorProviderCapability, CompletionOptions, Diagnostic,
+    DidChangeWatchedFilesClientCapabilities, DidChangeWatchedFilesRegistrationOptions,
+    DocumentLinkOptions, FileSystemWatcher, GlobPattern, HoverProviderCapability, InitializeResult,
+    OneOf, Position, Registration, RegistrationParams, RenameOptions, SemanticTokens,
+    SemanticTokensFullOptions, SemanticTokensLegend, SemanticTokensOptions, ServerCapabilities,
+    ServerInfo, TextDocumentContentChangeEvent, TextDocumentSyncCapability, TextDocumentSyncKind,
+    TextDocumentSyncOptions, TextDocumentSyncSaveOptions, WorkDoneProgressOptions,
 };
 use phenomenon_compiler::nodes::NodeLibrary;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
+use super::file::OpenFile;
 use super::open_files::OpenFiles;
-use super::{complete, hover};
+use super::{answers, complete, hover};
 
 /// How far the conversation is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,32 +132,100 @@ impl Server {
         }
     }
 
+    /// Answers a request about an open file. Nothing is known of files that are not open, and of places that are none.
     fn look_up(&self, request: Request) -> Response {
         let params = &request.params;
         let uri = params["textDocument"]["uri"].as_str();
         let file = uri.and_then(|uri| self.files.get(uri));
-        let at = of_type::<Position>(&params["position"]);
-        match (request.method.as_str(), file.zip(at)) {
-            (Completion::METHOD, Some((file, at))) => {
-                let at = file.byte_of(at);
-                let items = complete::complete(file, at, &self.library, &self.files);
-                Response::new_ok(request.id, items)
-            }
-            (HoverRequest::METHOD, Some((file, at))) => {
-                let at = file.byte_of(at);
-                Response::new_ok(request.id, hover::hover(file, at, &self.library, &self.files))
-            }
-            // Nothing is known of a file that is not open, and of places that are none.
-            (Completion::METHOD | HoverRequest::METHOD, None) => {
-                Response::new_ok(request.id, Value::Null)
-            }
-            (method, _) => {
-                let message = format!("`{method}` is not known here");
-                Response::new_err(request.id, ErrorCode::MethodNotFound as i32, message)
-            }
+        if !KNOWN.contains(&request.method.as_str()) {
+            let message = format!("`{}` is not known here", request.method);
+            return Response::new_err(request.id, ErrorCode::MethodNotFound as i32, message);
+        }
+        let Some(file) = file else { return Response::new_ok(request.id, Value::Null) };
+        if file.ours.is_none() {
+            let nothing =
+                if request.method == Completion::METHOD { json!([]) } else { Value::Null };
+            return Response::new_ok(request.id, nothing);
+        }
+        match self.of_file(&request.method, params, file) {
+            Ok(answer) => Response::new_ok(request.id, answer),
+            Err(why) => Response::new_err(request.id, ErrorCode::InvalidParams as i32, why),
         }
     }
+
+    /// The answer to a request about a file; in words why there is none.
+    fn of_file(&self, method: &str, params: &Value, file: &OpenFile) -> Result<Value, String> {
+        let (library, files) = (&self.library, &self.files);
+        let answer = match method {
+            Formatting::METHOD => json!(answers::formatting(file)),
+            DocumentSymbolRequest::METHOD => json!(answers::symbols(file)),
+            DocumentLinkRequest::METHOD => json!(answers::links(file)),
+            DocumentColor::METHOD => json!(answers::colors(file, library, files)),
+            ColorPresentationRequest::METHOD => {
+                json!(of_type::<Color>(&params["color"]).map(answers::presentations))
+            }
+            SemanticTokensFullRequest::METHOD => {
+                let data = answers::tokens(file);
+                json!(data.map(|data| SemanticTokens { result_id: None, data }))
+            }
+            CodeActionRequest::METHOD => {
+                json!(of_type(&params["range"]).map(|range| answers::actions(file, range)))
+            }
+            _ => match of_type::<Position>(&params["position"]) {
+                Some(position) => return self.of_place(method, params, file, position),
+                None => Value::Null,
+            },
+        };
+        Ok(answer)
+    }
+
+    /// The answer to a request about a place in a file.
+    fn of_place(
+        &self,
+        method: &str,
+        params: &Value,
+        file: &OpenFile,
+        position: Position,
+    ) -> Result<Value, String> {
+        let (library, files) = (&self.library, &self.files);
+        let at = file.byte_of(position);
+        let answer = match method {
+            Completion::METHOD => json!(complete::complete(file, at, library, files)),
+            HoverRequest::METHOD => json!(hover::hover(file, at, library, files)),
+            GotoDefinition::METHOD => json!(answers::definition(file, at, files)),
+            References::METHOD => {
+                let with_declaration = params["context"]["includeDeclaration"] == true;
+                json!(answers::references(file, at, with_declaration))
+            }
+            DocumentHighlightRequest::METHOD => json!(answers::highlights(file, at)),
+            PrepareRenameRequest::METHOD => json!(answers::prepare(file, at)),
+            Rename::METHOD => {
+                let new = params["newName"].as_str().unwrap_or_default();
+                json!(answers::rename(file, at, new, files)?)
+            }
+            _ => Value::Null,
+        };
+        Ok(answer)
+    }
 }
+
+/// The requests about files that are answered.
+const KNOWN: [&str; 14] = [
+    Completion::METHOD,
+    HoverRequest::METHOD,
+    GotoDefinition::METHOD,
+    References::METHOD,
+    DocumentHighlightRequest::METHOD,
+    PrepareRenameRequest::METHOD,
+    Rename::METHOD,
+    Formatting::METHOD,
+    DocumentSymbolRequest::METHOD,
+    DocumentLinkRequest::METHOD,
+    DocumentColor::METHOD,
+    ColorPresentationRequest::METHOD,
+    SemanticTokensFullRequest::METHOD,
+    CodeActionRequest::METHOD,
+];
 
 /// A part of a message, where it is what the protocol says. The addresses of files are read as they stand: editors send
 /// some that `lsp_types::Uri` refuses, and they must be answered with the very same.
@@ -170,11 +245,40 @@ fn capabilities() -> InitializeResult {
         trigger_characters: Some(["\"", ":", " "].map(str::to_owned).to_vec()),
         ..CompletionOptions::default()
     };
+    let actions = CodeActionOptions {
+        code_action_kinds: Some(vec![CodeActionKind::QUICKFIX]),
+        ..CodeActionOptions::default()
+    };
+    let (kinds, modifiers) = answers::LEGEND;
+    let tokens = SemanticTokensOptions {
+        legend: SemanticTokensLegend {
+            token_types: kinds.to_vec(),
+            token_modifiers: modifiers.to_vec(),
+        },
+        full: Some(SemanticTokensFullOptions::Bool(true)),
+        ..SemanticTokensOptions::default()
+    };
     InitializeResult {
         capabilities: ServerCapabilities {
             text_document_sync: Some(TextDocumentSyncCapability::Options(sync)),
             completion_provider: Some(completion),
             hover_provider: Some(HoverProviderCapability::Simple(true)),
+            definition_provider: Some(OneOf::Left(true)),
+            references_provider: Some(OneOf::Left(true)),
+            document_highlight_provider: Some(OneOf::Left(true)),
+            document_symbol_provider: Some(OneOf::Left(true)),
+            document_formatting_provider: Some(OneOf::Left(true)),
+            rename_provider: Some(OneOf::Right(RenameOptions {
+                prepare_provider: Some(true),
+                work_done_progress_options: WorkDoneProgressOptions::default(),
+            })),
+            code_action_provider: Some(CodeActionProviderCapability::Options(actions)),
+            color_provider: Some(ColorProviderCapability::Simple(true)),
+            document_link_provider: Some(DocumentLinkOptions {
+                resolve_provider: Some(false),
+                work_done_progress_options: WorkDoneProgressOptions::default(),
+            }),
+            semantic_tokens_provider: Some(tokens.into()),
             ..ServerCapabilities::default()
         },
         server_info: Some(ServerInfo {

@@ -1,0 +1,45 @@
+//! The files that a file names.
+
+use lsp_types::DocumentLink;
+use phenomenon_compiler::document::{Value, ValueKind};
+
+use crate::commands::lsp::address::uri_of;
+use crate::commands::lsp::file::OpenFile;
+
+/// Keys under which files are named.
+pub const FILE_KEYS: [&str; 5] = ["file", "texture", "mesh", "image", "$schema"];
+
+/// Links to the files that the file names and that are there.
+pub fn links(file: &OpenFile) -> Option<Vec<DocumentLink>> {
+    let mut links = Vec::new();
+    let mut pending = vec![&file.current()?.root];
+    while let Some(value) = pending.pop() {
+        match &value.kind {
+            ValueKind::Array(elements) => pending.extend(elements),
+            ValueKind::Object(members) => {
+                for member in members {
+                    match member.key.as_str() {
+                        "editor" => {}
+                        key if FILE_KEYS.contains(&key) => links.extend(link(file, &member.value)),
+                        _ => pending.push(&member.value),
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    links.sort_by_key(|link| (link.range.start.line, link.range.start.character));
+    Some(links)
+}
+
+fn link(file: &OpenFile, value: &Value) -> Option<DocumentLink> {
+    let ValueKind::String(named) = &value.kind else { return None };
+    let path = file.folder().join(named);
+    // A name without a file is a string like others, or a mistake that is told of elsewhere.
+    if named.is_empty() || !path.is_file() {
+        return None;
+    }
+    let target = uri_of(&path.canonicalize().ok()?).parse().ok()?;
+    let range = file.range_of(&(value.start + 1..value.end - 1));
+    Some(DocumentLink { range, target: Some(target), tooltip: None, data: None })
+}

@@ -1,0 +1,6 @@
+//! What a file gives names to, and where it uses them.
+
+mod index;
+mod scan;
+
+pub use index::{Index, Name, NameKind, Use};
