@@ -1,8 +1,8 @@
 //! What `bench shade` shades: graphs of four kinds, each written by hand as well, and the points.
 
+mod batches;
 mod blending;
 mod branchy;
-mod by_hand;
 #[cfg(target_arch = "x86_64")]
 mod eight;
 mod fused;

@@ -8,7 +8,7 @@ use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
 
-use super::by_hand::ByHand;
+use super::batches::of_points;
 #[cfg(target_arch = "x86_64")]
 use super::eight;
 use super::states::states;
@@ -79,10 +79,10 @@ impl Workload {
     /// has them.
     pub fn by_hand(self) -> Box<dyn Shade> {
         match self {
-            Self::Ten => Box::new(ByHand(ten::shade)),
-            Self::Light => Box::new(ByHand(light::shade)),
-            Self::Mixed => Box::new(ByHand(mixed::shade)),
-            Self::Branchy | Self::OneSide => Box::new(ByHand(branchy::shade)),
+            Self::Ten => of_points(ten::shade),
+            Self::Light => of_points(light::shade),
+            Self::Mixed => of_points(mixed::shade),
+            Self::Branchy | Self::OneSide => of_points(branchy::shade),
         }
     }
 

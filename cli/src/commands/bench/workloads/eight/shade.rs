@@ -2,14 +2,11 @@
 
 use std::arch::x86_64::*;
 
-use phenomenon_compiler::effects::{EffectSet, Renderer};
-use phenomenon_compiler::engine::{Links, Shade, Shaded};
-use phenomenon_compiler::graph::RootKind;
+use phenomenon_compiler::engine::{Shade, Shaded};
 use phenomenon_compiler::kernels::native_simd;
 use phenomenon_compiler::state::State;
 
-/// A material that asks nothing, for CPUs with AVX2 and FMA.
-struct ByEight(unsafe fn(&[State], &mut [Shaded]));
+use crate::commands::bench::workloads::batches::Batches;
 
 /// `ten.json`; none where the CPU lacks AVX2.
 pub fn ten() -> Option<Box<dyn Shade>> {
@@ -22,7 +19,12 @@ pub fn mixed() -> Option<Box<dyn Shade>> {
 }
 
 fn by_eight(shade: unsafe fn(&[State], &mut [Shaded])) -> Option<Box<dyn Shade>> {
-    native_simd().then(|| Box::new(ByEight(shade)) as Box<dyn Shade>)
+    native_simd().then(|| {
+        Box::new(Batches(move |points: &[State], results: &mut [Shaded]| {
+            // SAFETY: the CPU has the features.
+            unsafe { shade(points, results) };
+        })) as Box<dyn Shade>
+    })
 }
 
 /// A function over all points, compiled for AVX2 with all it calls.
@@ -50,27 +52,5 @@ fn write(words: [__m256; 4], results: &mut [Shaded]) {
     let words = unsafe { std::mem::transmute::<[__m256; 4], [[f32; 8]; 4]>(words) };
     for (lane, result) in results.iter_mut().enumerate() {
         *result = Shaded { color: words.map(|word| word[lane]), ok: true };
-    }
-}
-
-impl Shade for ByEight {
-    fn has_root(&self, root: RootKind) -> bool {
-        root == RootKind::Material
-    }
-
-    fn effects(&self, _: RootKind) -> EffectSet {
-        EffectSet::NONE
-    }
-
-    fn shade_linked(
-        &self,
-        _: RootKind,
-        points: &[State],
-        _: &Links,
-        _: &mut dyn Renderer,
-        results: &mut [Shaded],
-    ) {
-        // SAFETY: there is one of these only where the CPU has the features; see `by_eight`.
-        unsafe { (self.0)(points, results) };
     }
 }

@@ -2,13 +2,13 @@
 
 use std::cell::RefCell;
 
-use phenomenon_compiler::effects::{EffectSet, Renderer};
 use phenomenon_compiler::emit::Body;
-use phenomenon_compiler::engine::{Links, Shade, Shaded};
-use phenomenon_compiler::graph::RootKind;
+use phenomenon_compiler::engine::{Shade, Shaded};
 use phenomenon_compiler::kernels::BodyForms;
 use phenomenon_compiler::state::{Field, State};
 use phenomenon_compiler::storage::{FileShape, LANES, Lanes, Placement, Source, stride};
+
+use crate::commands::bench::workloads::batches::Batches;
 
 /// A whole material as one body.
 pub trait Fused: Body {
@@ -39,7 +39,10 @@ pub fn shader<B: Fused>() -> Box<dyn Shade> {
         words += field.value_type().width();
     }
     let sources = (0..words as u32).map(Source::Slot).collect();
-    Box::new(OneBody { code: BodyForms::of::<B>(), fields, sources })
+    let body = OneBody { code: BodyForms::of::<B>(), fields, sources };
+    Box::new(Batches(move |points: &[State], results: &mut [Shaded]| {
+        FILE.with_borrow_mut(|file| body.run(points, results, file));
+    }))
 }
 
 impl OneBody {
@@ -64,26 +67,5 @@ impl OneBody {
                 *result = Shaded { color, ok: true };
             }
         }
-    }
-}
-
-impl Shade for OneBody {
-    fn has_root(&self, root: RootKind) -> bool {
-        root == RootKind::Material
-    }
-
-    fn effects(&self, _: RootKind) -> EffectSet {
-        EffectSet::NONE
-    }
-
-    fn shade_linked(
-        &self,
-        _: RootKind,
-        points: &[State],
-        _: &Links,
-        _: &mut dyn Renderer,
-        results: &mut [Shaded],
-    ) {
-        FILE.with_borrow_mut(|file| self.run(points, results, file));
     }
 }
