@@ -2,6 +2,7 @@
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::document;
+use phenomenon_compiler::effects::Sampling;
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::kernels::BodyForms;
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -169,7 +170,7 @@ fn requests_and_loops_name_what_there_is() {
         "which is none",
         &request(|kind| {
             let InstanceKind::Request { subject, .. } = kind else { panic!("a request") };
-            *subject = Subject::Texture(TexturePosition::from_u32(0));
+            *subject = Subject::Texture(TexturePosition::from_u32(0), Sampling::default());
         }),
     );
     let loops = |change: fn(InstanceId, &mut InstanceKind)| {

@@ -12,7 +12,7 @@ use phenomenon_compiler::testing::differential::outcome;
 use phenomenon_compiler::testing::mock::MockRenderer;
 use phenomenon_compiler::testing::random::Random;
 use phenomenon_compiler::testing::random_graph::{random_graph, random_value};
-use phenomenon_compiler::values::Literal;
+use phenomenon_compiler::values::{Literal, Space, Texture};
 
 /// Ordinary points, each its own place; every third hit from inside.
 fn points(count: u32) -> Vec<State> {
@@ -273,5 +273,36 @@ fn an_edited_weight_stops_the_rays() {
             let found = outcome(&shader, RootKind::Material, &points(9));
             assert_eq!(found.log.len(), expected, "{weight} in {options:?}");
         }
+    }
+}
+
+/// The colour beyond a picture matters where an axis has one, and what a footprint covers for one filter.
+#[test]
+fn what_a_sampling_does_not_look_at_is_not_evaluated() {
+    let lookup = |wrap_v: i32, filter: i32| {
+        let mut build = Build::new();
+        let wood = Texture { file: "wood.png".into(), space: Space::Srgb };
+        let beyond = build.node("trace_reflection", &[]).output("color");
+        let probe = build.node("trace_probe", &[("direction", vector([0.0, 0.0, 1.0]))]);
+        let inputs = [
+            ("texture", Binding::Literal(Literal::Texture(Some(wood)))),
+            ("wrap_v", Binding::Literal(Literal::Integer(wrap_v))),
+            ("filter", Binding::Literal(Literal::Integer(filter))),
+            ("default", beyond),
+            ("dv_dy", probe.output("distance")),
+        ];
+        let read = build.node("texture_lookup", &inputs).output("color");
+        build.material(read)
+    };
+    for (wrap_v, filter, default, footprint) in
+        [(0, 0, 0, 0), (1, 1, 0, 0), (2, 2, 0, 0), (3, 0, 20, 0), (0, 3, 0, 20), (3, 3, 20, 20)]
+    {
+        let expected = [
+            (Effect::ReadTexture, 20),
+            (Effect::TraceReflection, default),
+            (Effect::TraceProbe, footprint),
+        ];
+        let built = lookup(wrap_v, filter);
+        expect_requests(&built, &points(20), &MockRenderer::default(), &expected);
     }
 }

@@ -24,6 +24,8 @@ pub enum Asked {
     LightColors,
     /// [`Renderer::read_texture`](super::Renderer::read_texture), of the texture among the arguments.
     Texels,
+    /// [`Renderer::texture_size`](super::Renderer::texture_size), of the texture among the arguments.
+    TextureSize,
 }
 
 /// Declares the effects: what goes to the renderer, what comes back, which state fields may matter.
@@ -106,8 +108,14 @@ effects! {
         reads [Point, NormalGeom, InvNormal, LightDirection, LightDistance];
     /// The colour of a texture.
     ReadTexture "read_texture" asks Asked::Texels,
-        takes [texture: Texture, u: Scalar, v: Scalar],
+        takes [texture: Texture, u: Scalar, v: Scalar, wrap_u: Integer, wrap_v: Integer, filter: Integer,
+            default: Color, du_dx: Scalar, dv_dx: Scalar, du_dy: Scalar, dv_dy: Scalar],
         yields [color: Color, ok: Boolean],
+        reads [];
+    /// How many pixels a texture has.
+    TextureSize "texture_size" asks Asked::TextureSize,
+        takes [texture: Texture],
+        yields [width: Integer, height: Integer],
         reads [];
 }
 

@@ -6,6 +6,7 @@ mod no_scene;
 mod points;
 mod rays;
 mod renderer;
+mod sampling;
 
 pub use effect::{Asked, Effect, EffectSet, Part};
 pub use lights::{LightList, LightSample};
@@ -13,3 +14,4 @@ pub use no_scene::NoScene;
 pub use points::Points;
 pub use rays::{Answer, Ray, Trace};
 pub use renderer::{Renderer, TextureId};
+pub use sampling::{Filter, Lookup, Sampling, Wrap};

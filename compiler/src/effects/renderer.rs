@@ -6,6 +6,7 @@ use crate::values::Texture;
 use super::lights::{LightList, LightSample};
 use super::points::Points;
 use super::rays::{Answer, Ray, Trace};
+use super::sampling::{Lookup, Sampling};
 
 /// A texture, resolved by the renderer from the file in a graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -33,21 +34,28 @@ pub trait Renderer {
     }
 
     /// The texture of a file. A renderer opens all of [`crate::engine::Shade::textures`] beforehand and
-    /// refuses to start where it cannot.
+    /// refuses to start where it cannot; it makes [`crate::engine::Shade::filtered_textures`] ready for
+    /// footprints.
     fn texture(&mut self, _texture: &Texture) -> TextureId {
         TextureId::NONE
     }
 
-    /// The colour (r, g, b, a) of `texture` at each pair of coordinates, the picture filling 0..1 in
-    /// both, the second upwards, and repeated outside; none where a coordinate is not finite, or there
-    /// is no such texture.
+    /// The colour (r, g, b, a) of `texture` at each place, read as `sampling` says; none where a
+    /// coordinate is not finite, or there is no such texture. Of a place only what the sampling looks at
+    /// may matter.
     fn read_texture(
         &mut self,
         _texture: TextureId,
-        _coordinates: &[[f32; 2]],
+        _sampling: Sampling,
+        _lookups: &[Lookup],
         colors: &mut [Option<[f32; 4]>],
     ) {
         colors.fill(None);
+    }
+
+    /// Columns and rows of `texture`; none if there is no such texture.
+    fn texture_size(&mut self, _texture: TextureId) -> Option<[u32; 2]> {
+        None
     }
 
     /// The list of the lights called `names`; no names means all lights of the scene.

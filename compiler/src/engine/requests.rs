@@ -1,7 +1,9 @@
 //! Requests as words: how both ways of running a graph put them to the renderer. They gather the words
 //! of arguments and hand out those of answers; what an effect means is known here alone.
 
-use crate::effects::{Answer, Asked, Effect, Points, Ray, Renderer, TextureId, Trace};
+use crate::effects::{
+    Answer, Asked, Effect, Lookup, Points, Ray, Renderer, Sampling, TextureId, Trace,
+};
 use crate::specialise::{Subject, mix_key};
 use crate::state::State;
 
@@ -20,7 +22,9 @@ pub(super) enum Question {
     /// For the colours of the light samples with the points' tokens.
     LightColors,
     /// For pixels of a texture.
-    Texels(TextureId),
+    Texels(TextureId, Sampling),
+    /// For the size of a texture.
+    TextureSize(TextureId),
 }
 
 impl Question {
@@ -34,8 +38,13 @@ impl Question {
         match (effect.asked(), subject) {
             (Asked::Rays(trace), _) => Some(Question::Rays(trace, site)),
             (Asked::LightColors, Subject::Light { .. }) => Some(Question::LightColors),
-            (Asked::Texels, Subject::Texture(at)) => Some(Question::Texels(links.texture(at))),
-            (Asked::LightColors | Asked::Texels, _) => None,
+            (Asked::Texels, Subject::Texture(at, sampling)) => {
+                Some(Question::Texels(links.texture(at), sampling))
+            }
+            (Asked::TextureSize, Subject::Texture(at, _)) => {
+                Some(Question::TextureSize(links.texture(at)))
+            }
+            (Asked::LightColors | Asked::Texels | Asked::TextureSize, _) => None,
         }
     }
 }
@@ -56,7 +65,7 @@ pub(super) struct Asking {
     rays: Vec<Ray>,
     traced: Vec<Answer>,
     colors: Vec<[f32; 3]>,
-    coordinates: Vec<[f32; 2]>,
+    lookups: Vec<Lookup>,
     texels: Vec<Option<[f32; 4]>>,
 }
 
@@ -75,7 +84,8 @@ impl Asking {
         match question {
             Question::Rays(trace, site) => self.trace(trace, site, batch, renderer),
             Question::LightColors => self.light_colors(batch, renderer),
-            Question::Texels(texture) => self.read_texture(texture, renderer),
+            Question::Texels(texture, sampling) => self.read_texture(texture, sampling, renderer),
+            Question::TextureSize(texture) => self.texture_size(texture, renderer),
         }
     }
 
@@ -112,13 +122,25 @@ impl Asking {
         }
     }
 
-    fn read_texture(&mut self, texture: TextureId, renderer: &mut dyn Renderer) {
-        self.coordinates.clear();
-        let pairs = self.arguments.chunks_exact(2);
-        self.coordinates.extend(pairs.map(|at| [at[0], at[1]].map(f32::from_bits)));
+    fn texture_size(&mut self, texture: TextureId, renderer: &mut dyn Renderer) {
+        let size = renderer.texture_size(texture).unwrap_or_default();
+        for _ in &self.numbers {
+            self.answers.extend(size);
+        }
+    }
+
+    fn read_texture(
+        &mut self,
+        texture: TextureId,
+        sampling: Sampling,
+        renderer: &mut dyn Renderer,
+    ) {
+        self.lookups.clear();
+        let words = self.arguments.chunks_exact(sampling.words());
+        self.lookups.extend(words.map(Lookup::from_words));
         self.texels.clear();
-        self.texels.resize(self.coordinates.len(), None);
-        renderer.read_texture(texture, &self.coordinates, &mut self.texels);
+        self.texels.resize(self.lookups.len(), None);
+        renderer.read_texture(texture, sampling, &self.lookups, &mut self.texels);
         for color in &self.texels {
             self.answers.extend(color.unwrap_or_default().map(f32::to_bits));
             self.answers.push(truth(color.is_some()));

@@ -31,6 +31,11 @@ pub trait Shade: Send + Sync {
         BTreeSet::new()
     }
 
+    /// Those of [`Shade::textures`] that may be read by footprints.
+    fn filtered_textures(&self) -> BTreeSet<Texture> {
+        BTreeSet::new()
+    }
+
     /// Looks up the lights and textures it names, whatever the root.
     fn link(&self, _renderer: &mut dyn Renderer) -> Links {
         Links::default()

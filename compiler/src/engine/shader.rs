@@ -361,6 +361,11 @@ impl Shade for Shader {
         programs.flat_map(|program| program.code.specialised.textures.values().cloned()).collect()
     }
 
+    fn filtered_textures(&self) -> BTreeSet<Texture> {
+        let programs = self.programs.iter().map(|program| &program.code.specialised);
+        programs.flat_map(|specialised| specialised.filtered_textures().cloned()).collect()
+    }
+
     fn link(&self, renderer: &mut dyn Renderer) -> Links {
         let mut links = Links::default();
         for program in &self.programs {

@@ -37,7 +37,8 @@
 ///   those in brackets: `generic [vector, color]`;
 /// * `per component`: the body yields the one output's component from the inputs' components. The
 ///   first input is generic, and of a colour its alpha passes unchanged: bodies never see alpha;
-/// * `request Effect`: asks the renderer, and has no body;
+/// * `request Effect`: asks the renderer, and has no body: what conditions look at is named before its
+///   inputs, `inputs |e, i| { … }`;
 /// * `scope [Field, …]`: the body yields `Changes`, one for each field in order, and the input under
 ///   `scoped`, of any type or generic, is evaluated under them;
 /// * `structural [Kind]`: the engines or the checker know what to do, and there is no body.
@@ -134,13 +135,13 @@ macro_rules! node {
     (
         $(#[doc = $doc:literal])+
         $name:ident in $group:ident $($kind:ident)* $([$($of:tt)+])?, source $source:literal,
-        inputs { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, $iword:ident $($ivalue:expr)?)*;)* }
+        inputs $(|$back_end:ident, $given:ident|)? { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, $iword:ident $($ivalue:expr)?)*;)* }
         $(scoped { $(#[doc = $sdoc:literal])+ $scoped:ident : $stype:ident = $sdefault:expr $(, $sword:ident $($svalue:expr)?)*; })?
         $(changes { $($change:ident : $ctype:ident;)+ })?
         outputs { $($(#[doc = $odoc:literal])+ $output:ident : $otype:ident $(, $oword:ident $($ovalue:expr)?)*;)+ }
         $(body |$e:ident, $i:ident| $body:expr)?
     ) => {
-        $crate::node!(@code [$($kind)*] [$($($of)+)?] [$($e $i $body)?]
+        $crate::node!(@code [$($kind)*] [$($($of)+)?] [$($e $i $body)? $($back_end $given)?]
             [$($input : $itype [$($iword [$($ivalue)?])*];)*] [$($scoped)?]
             [$($($change : $ctype;)+)?] [$($output : $otype;)+]);
 
@@ -163,6 +164,19 @@ macro_rules! node {
     };
 
     // ---- kinds: what each has for code, which is `define`
+    (@code [request $effect:ident] [] [$e:ident $i:ident] [$($input:ident : $itype:ident $annotations:tt;)*] [] [] $outputs:tt) => {
+        $crate::node!(@structure Inputs "What arrives at the node." [$($input : $itype $annotations;)*]);
+        fn define(signature: $crate::nodes::Signature) -> $crate::nodes::Definition {
+            // Conditions look at some inputs only.
+            fn looked_at<E: $crate::emit::Emit>(inputs: &Inputs<E>) {
+                $(let _ = &inputs.$input;)*
+            }
+            let _ = looked_at::<$crate::emit::scalar::Scalar>;
+            let guards = $crate::node!(@guards [] $crate::nodes::ports::scalar, plain $e $i
+                [$($input : $itype $annotations;)*] [$($input : $itype $annotations;)*]);
+            $crate::nodes::Definition::with_code(signature, None, guards)
+        }
+    };
     (@code [request $effect:ident] [] $($rest:tt)*) => { $crate::node!(@bodiless $($rest)*); };
     (@code [structural] $kind:tt $($rest:tt)*) => { $crate::node!(@bodiless $($rest)*); };
     (@bodiless [] $($rest:tt)*) => {

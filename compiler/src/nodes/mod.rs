@@ -75,14 +75,19 @@ nodes! {
     fresnel { fresnel_dielectric, fresnel_reflection, ior_pair }
     /// Rays: directions, and requests to the renderer.
     rays {
-        call_shader, fallback, light_color, ray_is, ray_switch, reflection_direction, refraction_direction,
+        call_shader, fallback, image_size, light_color, ray_is, ray_switch, reflection_direction, refraction_direction,
         texture_lookup,
         trace_environment, trace_probe, trace_reflection, trace_refraction, trace_transparent,
+    }
+    /// Where to read pictures.
+    textures {
+        cylindrical_projection, latlong_projection, place_2d, planar_projection, spherical_projection,
+        triplanar_blend, triplanar_places,
     }
     /// What surfaces do with the light of one sample.
     shading { lambert }
     /// Nodes that evaluate an input under a changed state, or many times.
-    scopes { chain, light_loop, perturb_normal }
+    scopes { at_point, at_uv, chain, light_loop, perturb_normal }
     /// What is known about the point that is shaded.
     state { light, state }
 }

@@ -367,7 +367,7 @@ impl Builder<'_> {
                 None => unreachable!("what is asked inside a loop is reached through the loop"),
             },
             Subject::Point => Subject::Point,
-            Subject::Texture(texture) => Subject::Texture(texture),
+            Subject::Texture(texture, sampling) => Subject::Texture(texture, sampling),
         }
     }
 

@@ -166,7 +166,7 @@ impl<'a> Check<'a> {
         let schedule = self.schedule;
         let is_there = match of.subject {
             // Textures, and the lists of lights, are linked, whatever is scheduled.
-            Subject::Point | Subject::Texture(_) => true,
+            Subject::Point | Subject::Texture(..) => true,
             Subject::Light { of, table } => {
                 schedule.loops.is_valid(of) && schedule.tables.is_valid(table)
             }

@@ -47,7 +47,7 @@ pub(super) fn badge(kind: &Kind) -> Option<Badge> {
         Kind::Fields(_) => (Accent::State, "state"),
         Kind::Request(effect) => match effect.asked() {
             Asked::LightColors => (Accent::Light, "light"),
-            Asked::Texels => (Accent::State, "texture"),
+            Asked::Texels | Asked::TextureSize => (Accent::State, "texture"),
             Asked::Rays(_) => (Accent::Ray, "ray"),
         },
         Kind::Loop(Iterated::Lights, _) => (Accent::Light, "light loop"),

@@ -2,7 +2,7 @@
 
 use cranelift_entity::PrimaryMap;
 
-use crate::effects::Effect;
+use crate::effects::{Effect, Sampling};
 use crate::kernels::BodyForms;
 use crate::state::{Field, Reduction};
 use crate::storage::Source;
@@ -93,8 +93,8 @@ pub enum Turns<L> {
 pub enum Subject<L> {
     /// Nothing else.
     Point,
-    /// A texture.
-    Texture(TexturePosition),
+    /// A texture, and how it is read.
+    Texture(TexturePosition, Sampling),
     /// The sample of a loop over lights.
     Light {
         /// The loop.
@@ -165,6 +165,18 @@ impl Specialised {
     pub fn root(&self) -> InstanceId {
         let (root, _) = self.instances.last().expect("the root is an instance");
         root
+    }
+
+    /// Textures that are read by footprints.
+    pub fn filtered_textures(&self) -> impl Iterator<Item = &Texture> {
+        self.instances.values().filter_map(|instance| match instance.kind {
+            InstanceKind::Request { subject: Subject::Texture(texture, sampling), .. }
+                if sampling.is_filtered() =>
+            {
+                Some(&self.textures[texture])
+            }
+            _ => None,
+        })
     }
 
     /// Every word that a guard reads.

@@ -190,7 +190,7 @@ impl Check<'_> {
     fn subject(&self, instance: &Instance, subject: Subject<EpochId>) -> Result<(), String> {
         let is_there = match subject {
             Subject::Point => true,
-            Subject::Texture(texture) => self.graph.textures.is_valid(texture),
+            Subject::Texture(texture, _) => self.graph.textures.is_valid(texture),
             Subject::Light { of, table } => {
                 let lights = self.graph.epochs.innermost_lights(instance.epoch);
                 lights.is_some_and(|(inside, list)| {

@@ -2,7 +2,8 @@
 //! request is logged.
 
 use crate::effects::{
-    Answer, Effect, LightList, LightSample, Points, Ray, Renderer, TextureId, Trace,
+    Answer, Effect, LightList, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId,
+    Trace,
 };
 use crate::state::{Field, Object, Objects, State};
 use crate::values::{Texture, Type};
@@ -114,18 +115,31 @@ impl Renderer for MockRenderer {
     fn read_texture(
         &mut self,
         texture: TextureId,
-        coordinates: &[[f32; 2]],
+        sampling: Sampling,
+        lookups: &[Lookup],
         colors: &mut [Option<[f32; 4]>],
     ) {
-        assert_eq!(coordinates.len(), colors.len());
-        assert!(!coordinates.is_empty(), "a request without points");
-        for (at, color) in coordinates.iter().zip(colors) {
-            let words = at.map(|x| canonical(x.to_bits()));
-            let record = vec![Effect::ReadTexture as u32, texture.0, words[0], words[1]];
+        assert_eq!(lookups.len(), colors.len());
+        assert!(!lookups.is_empty(), "a request without points");
+        for (Lookup { uv, default, footprint }, color) in lookups.iter().zip(colors) {
+            let mut record = vec![Effect::ReadTexture as u32, texture.0];
+            record.extend(sampling.wrap.map(|wrap| wrap as u32));
+            record.push(sampling.filter as u32);
+            record.extend(numbers(*uv));
+            if sampling.has_default() {
+                record.extend(numbers(*default));
+            }
+            if sampling.is_filtered() {
+                record.extend(numbers(footprint.as_flattened().iter().copied()));
+            }
             let mut random = Random::new(hash(record.iter().copied()));
             self.log.push(record);
             *color = random.chance(70).then(|| [0; 4].map(|_| random.number()));
         }
+    }
+
+    fn texture_size(&mut self, texture: TextureId) -> Option<[u32; 2]> {
+        Some([texture.0 & 7, 1 + (texture.0 >> 3 & 7)])
     }
 
     fn light_list(&mut self, names: &[String]) -> LightList {

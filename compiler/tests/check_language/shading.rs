@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use phenomenon_compiler::effects::{
-    Answer, LightList, LightSample, Points, Ray, Renderer, TextureId, Trace,
+    Answer, LightList, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId, Trace,
 };
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
@@ -31,12 +31,14 @@ impl Renderer for Asked {
     fn read_texture(
         &mut self,
         texture: TextureId,
-        coordinates: &[[f32; 2]],
+        sampling: Sampling,
+        lookups: &[Lookup],
         colors: &mut [Option<[f32; 4]>],
     ) {
         assert_eq!(texture, TextureId(7));
-        self.lookups += coordinates.len();
-        for ([u, v], color) in coordinates.iter().zip(colors) {
+        assert_eq!(sampling, Sampling::default());
+        self.lookups += lookups.len();
+        for (Lookup { uv: [u, v], .. }, color) in lookups.iter().zip(colors) {
             *color = u.is_finite().then_some([*u, *v, 0.25, 0.5]);
         }
     }

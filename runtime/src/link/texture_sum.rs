@@ -11,12 +11,14 @@ use phenomenon_compiler::values::{Literal, Texture, Type};
 
 use crate::render::CALLED_ROOTS;
 use crate::scene_file::{Assets, MaterialRef};
-use crate::texture::PixelSum;
+use crate::texture::{PixelSum, TextureError};
 
 /// The textures a renderer would open for the graphs of a scene, summed by their headers.
 pub(super) struct TextureSum<'a> {
     assets: &'a Assets,
     known: BTreeSet<Texture>,
+    /// Those with coarser versions.
+    known_filtered: BTreeSet<Texture>,
     /// None once they were too many, which is told once.
     sum: Option<PixelSum>,
 }
@@ -24,7 +26,12 @@ pub(super) struct TextureSum<'a> {
 impl<'a> TextureSum<'a> {
     /// Of no graph yet.
     pub fn new(assets: &'a Assets) -> Self {
-        Self { assets, known: BTreeSet::new(), sum: Some(PixelSum::default()) }
+        Self {
+            assets,
+            known: BTreeSet::new(),
+            known_filtered: BTreeSet::new(),
+            sum: Some(PixelSum::default()),
+        }
     }
 
     /// Adds the textures of a graph with these values, used by a material; a finding where they are too much.
@@ -34,21 +41,37 @@ impl<'a> TextureSum<'a> {
         values: &[(String, Literal)],
         material: &MaterialRef,
     ) -> Option<Finding> {
-        let sum = self.sum.as_mut().filter(|_| names_textures(graph))?;
-        for texture in opened(graph, values) {
-            // What cannot be read was told of.
-            let Some(pixels) = self.assets.pixels(Path::new(&texture.file)) else { continue };
-            let file = texture.file.clone();
-            if self.known.insert(texture)
-                && let Err(error) = sum.add(&file, pixels)
+        if self.sum.is_none() || !names_textures(graph) {
+            return None;
+        }
+        let shader = compiled(graph, values)?;
+        let error = self.count(&shader).err()?;
+        self.sum = None;
+        let (message, help) = (error.to_string(), "use fewer or smaller pictures");
+        let place = material.place.clone();
+        Some(Finding::new(Code::UNUSABLE_FILE, place, message, help))
+    }
+
+    /// Adds what was not added before.
+    fn count(&mut self, shader: &Shader) -> Result<(), TextureError> {
+        let Some(sum) = &mut self.sum else { return Ok(()) };
+        // What cannot be read was told of.
+        let size = |texture: &Texture| self.assets.size(Path::new(&texture.file));
+        for texture in shader.textures() {
+            if let Some(size) = size(&texture)
+                && self.known.insert(texture.clone())
             {
-                self.sum = None;
-                let (message, help) = (error.to_string(), "use fewer or smaller pictures");
-                let place = material.place.clone();
-                return Some(Finding::new(Code::UNUSABLE_FILE, place, message, help));
+                sum.add(&texture.file, size)?;
             }
         }
-        None
+        for texture in shader.filtered_textures() {
+            if let Some(size) = size(&texture)
+                && self.known_filtered.insert(texture.clone())
+            {
+                sum.add_levels(&texture.file, size)?;
+            }
+        }
+        Ok(())
     }
 }
 
@@ -60,8 +83,8 @@ fn names_textures(graph: &Graph) -> bool {
         || graph.nodes.iter().any(|node| node.inputs.iter().any(is_texture))
 }
 
-/// The textures of what a renderer compiles of a graph; none where it cannot be compiled, which is told of elsewhere.
-fn opened(graph: &Arc<Graph>, values: &[(String, Literal)]) -> BTreeSet<Texture> {
+/// What a renderer compiles of a graph; none where it cannot be compiled, which is told of elsewhere.
+fn compiled(graph: &Arc<Graph>, values: &[(String, Literal)]) -> Option<Shader> {
     // Every engine starts from what the walk runs.
     let options = Options {
         engine: Engine::Walk,
@@ -69,6 +92,5 @@ fn opened(graph: &Arc<Graph>, values: &[(String, Literal)]) -> BTreeSet<Texture>
         called_rays_only: true,
         ..Options::default()
     };
-    let shader = Shader::new(Arc::clone(graph), values, options);
-    shader.map(|shader| shader.textures()).unwrap_or_default()
+    Shader::new(Arc::clone(graph), values, options).ok()
 }

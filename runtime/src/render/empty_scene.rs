@@ -1,8 +1,9 @@
 //! A scene of nothing but textures.
 
-use std::collections::BTreeSet;
-
-use phenomenon_compiler::effects::{Answer, NoScene, Ray, Renderer, TextureId, Trace};
+use phenomenon_compiler::effects::{
+    Answer, Lookup, NoScene, Ray, Renderer, Sampling, TextureId, Trace,
+};
+use phenomenon_compiler::engine::Shade;
 use phenomenon_compiler::state::State;
 use phenomenon_compiler::values::Texture;
 
@@ -14,14 +15,14 @@ pub struct EmptyScene {
 }
 
 impl EmptyScene {
-    /// With these textures.
+    /// With the textures that a shader may read.
     ///
     /// # Errors
     /// One of them cannot be used.
-    pub fn new(textures: &BTreeSet<Texture>) -> Result<Self, TextureError> {
-        let mut opened = Textures::default();
-        textures.iter().try_for_each(|texture| opened.open(texture))?;
-        Ok(Self { textures: opened })
+    pub fn new(shader: &dyn Shade) -> Result<Self, TextureError> {
+        let mut textures = Textures::default();
+        textures.open_those_of(shader)?;
+        Ok(Self { textures })
     }
 }
 
@@ -34,12 +35,17 @@ impl Renderer for EmptyScene {
         self.textures.number(texture)
     }
 
+    fn texture_size(&mut self, texture: TextureId) -> Option<[u32; 2]> {
+        self.textures.size(texture)
+    }
+
     fn read_texture(
         &mut self,
         texture: TextureId,
-        coordinates: &[[f32; 2]],
+        sampling: Sampling,
+        lookups: &[Lookup],
         colors: &mut [Option<[f32; 4]>],
     ) {
-        self.textures.read(texture, coordinates, colors);
+        self.textures.read(texture, sampling, lookups, colors);
     }
 }

@@ -1,7 +1,7 @@
 //! The renderer as shaders see it: what they may ask of a context.
 
 use phenomenon_compiler::effects::{
-    Answer, LightList, LightSample, Points, Ray, Renderer, TextureId, Trace,
+    Answer, LightList, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId, Trace,
 };
 use phenomenon_compiler::state::{Objects, RayType, State};
 use phenomenon_compiler::values::Texture;
@@ -38,14 +38,19 @@ impl Renderer for Context<'_> {
         self.scene.textures.number(texture)
     }
 
+    fn texture_size(&mut self, texture: TextureId) -> Option<[u32; 2]> {
+        self.scene.textures.size(texture)
+    }
+
     fn read_texture(
         &mut self,
         texture: TextureId,
-        coordinates: &[[f32; 2]],
+        sampling: Sampling,
+        lookups: &[Lookup],
         colors: &mut [Option<[f32; 4]>],
     ) {
         let before = self.clock.switch(Who::Renderer);
-        self.scene.textures.read(texture, coordinates, colors);
+        self.scene.textures.read(texture, sampling, lookups, colors);
         self.clock.switch(before);
     }
 

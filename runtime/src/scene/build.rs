@@ -160,9 +160,7 @@ impl SceneBuilder {
         let mut textures = Textures::default();
         let environment = self.environment.as_ref().and_then(Environment::shader);
         for shader in self.materials.iter().chain(environment) {
-            for texture in shader.textures() {
-                textures.open(&texture)?;
-            }
+            textures.open_those_of(&**shader)?;
         }
         let tree = Tree::build(&self.primitives)?;
         let extent = match tree.bounds() {

@@ -29,8 +29,8 @@ pub struct Assets {
 struct Known {
     /// Whether a picture can be used, and if not, why.
     pictures: Remembered<PathBuf, Result<(), Unusable>>,
-    /// How many pixels a picture has; none where its header cannot be read.
-    sizes: Remembered<PathBuf, Option<u64>>,
+    /// Columns and rows of a picture; none where its header cannot be read.
+    sizes: Remembered<PathBuf, Option<[u32; 2]>>,
     /// The box round a mesh, or why it cannot be used.
     meshes: Remembered<(PathBuf, Normals), Result<ReadMesh, MeshRefusal>>,
 }
@@ -87,11 +87,11 @@ impl Assets {
         self.picture(path).err()
     }
 
-    /// How many pixels a picture has; none where its header cannot be read. Nothing but the header is.
-    pub fn pixels(&self, path: &Path) -> Option<u64> {
+    /// Columns and rows of a picture; none where its header cannot be read. Nothing but the header is.
+    pub fn size(&self, path: &Path) -> Option<[u32; 2]> {
         let read = || {
             let header = film::read_header(path).ok()?;
-            Some(u64::from(header.width) * u64::from(header.height))
+            Some([header.width, header.height])
         };
         let (Some(known), Some(stamp)) = (&self.known, Stamp::of(path)) else { return read() };
         remembered(&known.sizes, reached(path), stamp, read)

@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use phenomenon_compiler::effects::TextureId;
+use phenomenon_compiler::effects::{Lookup, Sampling, TextureId};
+use phenomenon_compiler::engine::Shade;
 use phenomenon_compiler::values::{Space, Texture};
 
-use super::Picture;
-use crate::film::{self, FilmError};
+use super::{Picture, levels};
+use crate::film::{self, FilmError, SizeError};
 
 /// Why a texture cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -15,6 +16,9 @@ pub enum TextureError {
     /// The file cannot be read as a picture.
     #[error(transparent)]
     File(#[from] FilmError),
+    /// There is not enough memory for coarser versions of the picture.
+    #[error(transparent)]
+    Levels(#[from] SizeError),
     /// A pixel is infinite or NaN.
     #[error("{file}: pixel {column}, {row} is not finite")]
     NotFinite {
@@ -27,7 +31,8 @@ pub enum TextureError {
     },
     /// All textures together are too large.
     #[error(
-        "{file}: with it all textures have {pixels} pixels, and at most {limit} are read: make some smaller"
+        "{file}: with it all textures have {pixels} pixels, coarser versions for footprints included, and at \
+         most {limit} are read: make some smaller"
     )]
     TooManyPixels {
         /// The file that is too much.
@@ -64,11 +69,23 @@ impl Default for PixelSum {
 }
 
 impl PixelSum {
-    /// Adds those of a file.
+    /// Adds those of a picture of this size.
     ///
     /// # Errors
     /// They are too many with those before.
-    pub fn add(&mut self, file: &str, pixels: u64) -> Result<(), TextureError> {
+    pub fn add(&mut self, file: &str, [width, height]: [u32; 2]) -> Result<(), TextureError> {
+        self.add_pixels(file, u64::from(width) * u64::from(height))
+    }
+
+    /// Adds those of the coarser versions of a picture of this size.
+    ///
+    /// # Errors
+    /// They are too many with those before.
+    pub fn add_levels(&mut self, file: &str, size: [u32; 2]) -> Result<(), TextureError> {
+        self.add_pixels(file, levels::pixels(size))
+    }
+
+    fn add_pixels(&mut self, file: &str, pixels: u64) -> Result<(), TextureError> {
         let (pixels, limit) = (self.pixels.saturating_add(pixels), self.limit);
         if pixels > limit {
             return Err(TextureError::TooManyPixels { file: file.to_owned(), pixels, limit });
@@ -97,7 +114,7 @@ impl Textures {
         }
         let path = Path::new(&texture.file);
         let header = film::read_header(path)?;
-        self.sum.add(&texture.file, u64::from(header.width) * u64::from(header.height))?;
+        self.sum.add(&texture.file, [header.width, header.height])?;
         let film = film::read_as(path, Some(texture.space))?;
         let width = film.width() as usize;
         let bad = film.pixels().iter().position(|pixel| !pixel.iter().all(|x| x.is_finite()));
@@ -110,6 +127,31 @@ impl Textures {
         Ok(())
     }
 
+    /// Opens all that a shader may read, and makes those ready for footprints that are read by them.
+    ///
+    /// # Errors
+    /// As for [`Textures::open`].
+    pub fn open_those_of(&mut self, shader: &dyn Shade) -> Result<(), TextureError> {
+        shader.textures().iter().try_for_each(|texture| self.open(texture))?;
+        shader.filtered_textures().iter().try_for_each(|texture| self.make_levels(texture))
+    }
+
+    /// Makes the coarser versions of a texture that was opened, unless there are any.
+    fn make_levels(&mut self, texture: &Texture) -> Result<(), TextureError> {
+        let number = self.number(texture);
+        let Some(picture) = self.pictures.get_mut(number.0 as usize) else { return Ok(()) };
+        if !picture.has_levels() {
+            self.sum.add_levels(&texture.file, picture.size())?;
+            picture.make_levels()?;
+        }
+        Ok(())
+    }
+
+    /// Columns and rows of a texture.
+    pub fn size(&self, texture: TextureId) -> Option<[u32; 2]> {
+        self.picture(texture).map(Picture::size)
+    }
+
     /// The number of a texture; that of none where it was not opened.
     pub fn number(&self, texture: &Texture) -> TextureId {
         self.numbers.get(texture).copied().unwrap_or(TextureId(u32::MAX))
@@ -120,17 +162,17 @@ impl Textures {
         self.pictures.get(texture.0 as usize)
     }
 
-    /// The colour of a texture at each pair of coordinates, as shaders are answered; none where there is
-    /// none.
+    /// The colour of a texture at each place, as shaders are answered; none where there is none.
     pub fn read(
         &self,
         texture: TextureId,
-        coordinates: &[[f32; 2]],
+        sampling: Sampling,
+        lookups: &[Lookup],
         colors: &mut [Option<[f32; 4]>],
     ) {
         let picture = self.picture(texture);
-        for (at, color) in coordinates.iter().zip(colors) {
-            *color = picture.and_then(|picture| picture.color(*at));
+        for (lookup, color) in lookups.iter().zip(colors) {
+            *color = picture.and_then(|picture| picture.color(sampling, lookup));
         }
     }
 }
@@ -155,7 +197,8 @@ mod tests {
         assert_eq!(textures.pictures.len(), 2);
         let red = |space| {
             let picture = textures.picture(textures.number(&texture(space))).unwrap();
-            picture.color([0.5, 0.5]).unwrap()[0]
+            let middle = Lookup { uv: [0.5, 0.5], ..Lookup::default() };
+            picture.color(Sampling::default(), &middle).unwrap()[0]
         };
         // Half of sRGB is 0.214 of the light, to the precision of 8 bits.
         assert!((red(Space::Srgb) - 0.214).abs() < 2e-3, "{}", red(Space::Srgb));
@@ -188,6 +231,14 @@ mod tests {
         let mut textures = limited_to(8);
         textures.open(&second).unwrap();
         textures.open(&first).unwrap();
+        // A picture of 1 by 2 has a coarser version of one pixel, made and counted once.
+        let error = textures.make_levels(&second).unwrap_err().to_string();
+        assert!(error.contains("second.png: with it all textures have 9 pixels"), "{error}");
+        let mut textures = limited_to(3);
+        textures.open(&second).unwrap();
+        for _ in 0..2 {
+            textures.make_levels(&second).unwrap();
+        }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Straight and associated alpha.
 
+use phenomenon_compiler::effects::{Lookup, Sampling};
 use phenomenon_compiler::values::{Space, Texture};
 use phenomenon_runtime::film::{Film, encode, read, read_as, srgb_decoded, write};
 use phenomenon_runtime::texture::Textures;
@@ -10,7 +11,12 @@ fn color(path: &std::path::Path, space: Space, at: [f32; 2]) -> [f32; 4] {
     let texture = Texture { file: path.display().to_string(), space };
     let mut textures = Textures::default();
     textures.open(&texture).unwrap();
-    textures.picture(textures.number(&texture)).unwrap().color(at).unwrap()
+    let lookup = Lookup { uv: at, ..Lookup::default() };
+    textures
+        .picture(textures.number(&texture))
+        .unwrap()
+        .color(Sampling::default(), &lookup)
+        .unwrap()
 }
 
 #[test]

@@ -38,7 +38,7 @@ pub const LIMITS: [Limit; 10] = [
     limit("chunks of pixels in an OpenEXR", CHUNK_LIMIT, "`unusable-file`", many_chunks),
     limit("bytes of pixels in a chunk", CHUNK_BYTES_LIMIT, "`unusable-file`", large_chunk),
     limit(
-        "pixels of all textures of a scene together",
+        "pixels of all textures of a scene together, coarser versions for footprints included",
         TEXTURE_PIXEL_LIMIT,
         "`unusable-file`",
         many_texture_pixels,

@@ -81,7 +81,7 @@ impl Point<'_> {
     fn shade(&self, graph: Graph, kind: RootKind) -> Result<Shaded, Failure> {
         let shader = graphs::compile(graph, self.values, self.options)?;
         let mut results = [Shaded::default()];
-        let mut scene = EmptyScene::new(&shader.textures())
+        let mut scene = EmptyScene::new(&shader)
             .map_err(|error| Failure::new(error, "mend the file, or name another"))?;
         shader.shade(kind, &[self.state], &mut scene, &mut results);
         shader.jit_failure().map_or(Ok(results[0]), |error| Err(graphs::jit_failed(error)))

@@ -18,7 +18,7 @@ impl Walk<'_> {
                 let kept = |(table, epoch)| (table, position.turn(), self.memory.pass[epoch]);
                 (request.kept.map(kept), Some(position.token))
             }
-            Subject::Point | Subject::Texture(_) => (None, None),
+            Subject::Point | Subject::Texture(..) => (None, None),
         };
         if let Some((table, turn, pass)) = sample {
             let Memory { tables, words, .. } = &mut *self.memory;

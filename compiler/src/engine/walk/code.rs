@@ -187,7 +187,7 @@ impl Code {
             InstanceKind::Request { effect, context, site, loops, subject } => {
                 let kept = match *subject {
                     Subject::Light { table, .. } => Some((table, graph.tables[table].epoch)),
-                    Subject::Point | Subject::Texture(_) => None,
+                    Subject::Point | Subject::Texture(..) => None,
                 };
                 Kind::Request(Box::new(Request {
                     effect: *effect,

@@ -2,7 +2,7 @@
 
 use cranelift_entity::{EntityRef, PrimaryMap};
 
-use crate::effects::{Asked, Effect};
+use crate::effects::{Asked, Effect, Sampling};
 use crate::kernels::BodyForms;
 use crate::nodes::Kind;
 use crate::specialise::keys::{mix_key, path_key};
@@ -12,6 +12,7 @@ use crate::specialise::{
     Subject, TexturePosition, Turns, Uniforms,
 };
 use crate::state::{Field, FieldSet, Iterated, Reduction};
+use crate::storage::Source;
 use crate::values::Literal;
 
 use super::{Builder, Built, Frame, MAX_NESTED_LOOPS};
@@ -103,6 +104,28 @@ impl Builder<'_> {
         Some(found_or_pushed(&mut self.result.textures, texture))
     }
 
+    /// How a view reads a texture. What is known before shading is no argument of its request, and
+    /// neither are words that cannot matter then.
+    fn sampling(
+        &mut self,
+        view: usize,
+        words: &mut Vec<Source>,
+    ) -> Result<Sampling, SpecialiseError> {
+        let fixed = self.views.fixed_words(view);
+        let mut numbers = Vec::new();
+        for &(input, _) in &fixed {
+            numbers.push(self.fixed(view, input)?);
+        }
+        for &(_, word) in fixed.iter().rev() {
+            words.remove(word);
+        }
+        let sampling = Sampling::from_numbers(&numbers);
+        if !fixed.is_empty() {
+            words.truncate(sampling.words());
+        }
+        Ok(sampling)
+    }
+
     fn light_list(&mut self, view: usize) -> LightListId {
         let names = self.given(view).find_map(|literal| match literal {
             Literal::Lights(names) => Some(names),
@@ -175,10 +198,13 @@ impl Builder<'_> {
         frame: Frame,
         name: &str,
     ) -> Result<Built, SpecialiseError> {
-        let Frame { key: (view, epoch), words, mut demands, .. } = frame;
+        let Frame { key: (view, epoch), mut words, mut demands, .. } = frame;
+        let sampling = self.sampling(view, &mut words)?;
         let subject = match effect.asked() {
             Asked::Rays(_) => Some(Subject::Point),
-            Asked::Texels => self.texture(view).map(Subject::Texture),
+            Asked::Texels | Asked::TextureSize => {
+                self.texture(view).map(|texture| Subject::Texture(texture, sampling))
+            }
             Asked::LightColors => self.light(effect, epoch),
         };
         let Some(subject) = subject else {

@@ -198,6 +198,7 @@ impl Evaluation<'_> {
                 let answer = match effect.asked() {
                     Asked::LightColors => self.light_color(at)?,
                     Asked::Texels => self.read_texture(node, at)?,
+                    Asked::TextureSize => self.texture_size(node),
                     Asked::Rays(trace) => self.trace(node, trace, at)?,
                 };
                 declared(&signature.outputs, *effect, &answer)

@@ -1,6 +1,6 @@
 //! What nodes ask of the renderer.
 
-use crate::effects::{Answer, Effect, Ray, Trace};
+use crate::effects::{Answer, Effect, Lookup, Ray, Sampling, TextureId, Trace};
 use crate::graph::Binding;
 use crate::state::Field;
 use crate::values::Literal;
@@ -40,29 +40,58 @@ impl Evaluation<'_> {
         Ok(vec![r, g, b, a, truth(ok), truth(hit), distance.to_bits()])
     }
 
+    /// What a node is given for an input that is known before shading; none where that is its default.
+    fn known_before(&self, node: usize, input: usize) -> Option<&Literal> {
+        match &self.naive.nodes[node].inputs[input] {
+            Binding::Literal(literal) => Some(literal),
+            Binding::Parameter(parameter) => Some(&self.naive.parameters[*parameter]),
+            Binding::Default | Binding::Node { .. } => None,
+        }
+    }
+
+    /// The texture a node is given as its first input.
+    fn texture(&mut self, node: usize) -> Option<TextureId> {
+        match self.known_before(node, 0) {
+            Some(Literal::Texture(Some(texture))) => {
+                let texture = texture.clone();
+                Some(self.renderer.texture(&texture))
+            }
+            _ => None,
+        }
+    }
+
+    pub(super) fn texture_size(&mut self, node: usize) -> Vec<u32> {
+        let texture = self.texture(node);
+        let size = texture.and_then(|texture| self.renderer.texture_size(texture));
+        size.unwrap_or_default().to_vec()
+    }
+
     pub(super) fn read_texture(
         &mut self,
         node: usize,
         at: SurroundingsId,
     ) -> Result<Vec<u32>, TooLong> {
-        let naive = self.naive;
-        let of = &naive.nodes[node];
-        let given = of.inputs.iter().find_map(|binding| match binding {
-            Binding::Literal(Literal::Texture(texture)) => Some(texture),
-            Binding::Parameter(parameter) => match &naive.parameters[*parameter] {
-                Literal::Texture(texture) => Some(texture),
-                _ => None,
-            },
-            _ => None,
-        });
-        let Some(Some(texture)) = given else { return Ok(vec![0; 5]) };
-        let texture = self.renderer.texture(texture);
-        let mut coordinates = [0.0; 2];
-        for (k, coordinate) in coordinates.iter_mut().enumerate() {
-            *coordinate = f32::from_bits(self.input(node, k + 1, at)?[0]);
+        let number = |input: usize| match self.known_before(node, input) {
+            Some(Literal::Integer(number)) => *number,
+            _ => 0,
+        };
+        let sampling = Sampling::from_numbers(&[3, 4, 5].map(number));
+        let Some(texture) = self.texture(node) else { return Ok(vec![0; 5]) };
+        let mut lookup = Lookup::default();
+        for (axis, place) in lookup.uv.iter_mut().enumerate() {
+            *place = f32::from_bits(self.input(node, 1 + axis, at)?[0]);
+        }
+        if sampling.has_default() {
+            let words = self.input(node, 6, at)?;
+            lookup.default = std::array::from_fn(|k| f32::from_bits(words[k]));
+        }
+        if sampling.is_filtered() {
+            for (k, number) in lookup.footprint.as_flattened_mut().iter_mut().enumerate() {
+                *number = f32::from_bits(self.input(node, 7 + k, at)?[0]);
+            }
         }
         let mut colors = [None];
-        self.renderer.read_texture(texture, &[coordinates], &mut colors);
+        self.renderer.read_texture(texture, sampling, &[lookup], &mut colors);
         let [r, g, b, a] = colors[0].unwrap_or_default().map(f32::to_bits);
         Ok(vec![r, g, b, a, if colors[0].is_some() { u32::MAX } else { 0 }])
     }
