@@ -13,7 +13,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use phenomenon_compiler::check::{
-    Checked, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_PARTS, MAX_SHADERS, check_graph,
+    Checked, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_OUTPUTS, MAX_PARTS, MAX_SHADERS, check_graph,
     read_graph_file,
 };
 use phenomenon_compiler::diagnostics::grouped;
@@ -47,7 +47,7 @@ const fn limit(
     Limit { what, most, said, past }
 }
 
-const GRAPHS: [Limit; 11] = [
+const GRAPHS: [Limit; 12] = [
     limit("bytes of a graph or a scene", MAX_FILE_BYTES as u64, "`file-too-large`", huge_file),
     limit("values in a file", MAX_VALUES as u64, "`file-too-large`", many_values),
     limit("nesting of lists and objects", MAX_DEPTH as u64, "`too-deep`", deep_nesting),
@@ -70,7 +70,8 @@ const GRAPHS: [Limit; 11] = [
         "`number-out-of-range`",
         many_shaders,
     ),
-    limit("files within one another", MAX_FILE_DEPTH as u64, "`recursion`", deep_files),
+    limit("outputs of a phenomenon", MAX_OUTPUTS as u64, "`too-many-parts`", many_outputs),
+    limit("phenomena within one another", MAX_FILE_DEPTH as u64, "`recursion`", deep_files),
     limit(
         "evaluations of one root, copies in nested scopes included",
         MAX_INSTANCES as u64,
@@ -252,6 +253,17 @@ fn long_array(_: &Path) -> String {
     };
     graph(&with(100));
     code(&check(&with(MAX_PARTS + 1)))
+}
+
+fn many_outputs(_: &Path) -> String {
+    let with = |count: usize| {
+        let outputs: Vec<String> = (0..count)
+            .map(|at| format!(r#""o{at}": {{ "type": "scalar", "from": {at} }}"#))
+            .collect();
+        format!(r#"{{ "phenomenon": "p", "outputs": {{ {} }} }}"#, outputs.join(", "))
+    };
+    graph(&with(MAX_OUTPUTS));
+    code(&check(&with(MAX_OUTPUTS + 1)))
 }
 
 fn many_shaders(_: &Path) -> String {

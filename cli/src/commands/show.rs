@@ -25,7 +25,7 @@ pub struct Arguments {
 }
 
 const EXAMPLES: &str = "\
-Parameters stand at the left, roots at the right. Colour and shape of a socket tell its type, a
+Parameters stand at the left, roots and outputs at the right. Colour and shape of a socket tell its type, a
 hollow socket is evaluated only where needed, a double one in the scope of its node. A pill is
 a default that is evaluated: a field of the state, or a node without a box. What is never evaluated
 is faded, with a cross where constants rule an input out. An SVG is drawn of up to 5,000 boxes; DOT has no limit.

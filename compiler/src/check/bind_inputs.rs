@@ -8,19 +8,19 @@ use crate::nodes::{DefaultValue, Input, Kind, NodeType, Signature};
 use crate::values::{Literal, Type};
 
 use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
-use super::limits::MAX_NODES;
 use super::literals::Room;
 use super::type_names::with_article;
 use super::types::{Types, overload};
-use super::{fixed_inputs, lists, literals, mismatch, ranges, references};
+use super::{components, fixed_inputs, lists, literals, mismatch, ranges, references};
 
-/// The nodes and the roots. Nodes of unknown type are left out: they made a finding, and then there
-/// is no graph. Nodes that lists of shaders take come after those of the file.
+/// The nodes and the roots, and how many of the nodes are the file's own. Nodes of unknown type are left
+/// out: they made a finding, and then there is no graph. Nodes that lists stand for come after those of the
+/// file.
 pub(super) fn bind<'d>(
     reader: &mut Reader<'d>,
     draft: &Draft<'d>,
     types: &Types,
-) -> (Vec<Node>, Vec<Root>) {
+) -> (Vec<Node>, Vec<Root>, usize) {
     let mut nodes = Vec::with_capacity(draft.nodes.len());
     let mut added = Vec::new();
     for (at, node) in draft.nodes.iter().enumerate() {
@@ -50,24 +50,12 @@ pub(super) fn bind<'d>(
             inputs: bind_node(reader, draft, types, at, node_type),
         });
     }
+    let own = nodes.len();
     nodes.append(&mut added);
-    if nodes.len() > MAX_NODES {
-        let message = format!(
-            "with those that stand for lists the graph has {} nodes; at most {MAX_NODES} are allowed",
-            nodes.len()
-        );
-        let place = reader.document.root.get("nodes").unwrap_or(&reader.document.root);
-        reader.report(
-            Code::TOO_MANY_NODES,
-            place,
-            message,
-            "give `element` and `sum` fewer values",
-        );
-    }
     let roots =
         draft.roots.iter().filter_map(|root| bind_root(reader, draft, types, root, &mut nodes));
     let roots = roots.collect();
-    (nodes, roots)
+    (nodes, roots, own)
 }
 
 /// A root with its list of shaders as `chain` nodes, which are added to `nodes`.
@@ -284,7 +272,7 @@ fn missing_inputs(
 }
 
 /// The binding for a source, or none after a finding.
-fn bind_source<'d>(
+pub(super) fn bind_source<'d>(
     reader: &mut Reader<'d>,
     draft: &Draft<'d>,
     types: &Types,
@@ -310,6 +298,14 @@ fn bind_source<'d>(
         SourceKind::Node(node, output) => Binding::Node { node, output: output? },
     };
     let from = types.of(draft, source)?;
+    if source.component.is_some() {
+        let component = components::bind(reader, draft, types, source, binding)?;
+        if !from.converts_to(to) {
+            mismatch::connection(reader, draft, source, (from, to), what);
+            return None;
+        }
+        return Some(component);
+    }
     // A shader is what makes a color; a parameter of type color is no more than the color.
     let unmade = to == Type::Shader
         && from != Type::Shader

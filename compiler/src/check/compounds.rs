@@ -65,7 +65,7 @@ impl<'d> Spread<'_, 'd> {
 
     /// Something is wrong, and told: nothing more is said of it.
     fn broken(&mut self, value: &'d Value, name: &str) {
-        self.parts.push((name.to_owned(), Source { value, kind: SourceKind::Broken }));
+        self.parts.push((name.to_owned(), Source::new(value, SourceKind::Broken)));
     }
 
     fn wrong_length(&mut self, shape: &Shape, value: &'d Value, given: usize, name: &str) {
@@ -90,7 +90,7 @@ impl<'d> Spread<'_, 'd> {
                 for (to, _) in wanted {
                     let kind = draft.parameter_names.get(&format!("{from}{}", &to[name.len()..]));
                     let kind = kind.map_or(SourceKind::Broken, |at| SourceKind::Parameter(*at));
-                    self.parts.push((to, Source { value, kind }));
+                    self.parts.push((to, Source::new(value, kind)));
                 }
                 return;
             }
@@ -161,7 +161,7 @@ pub(super) fn list<'d>(
     value: &'d Value,
     what: &str,
 ) -> Vec<Source<'d>> {
-    let broken = vec![Source { value, kind: SourceKind::Broken }];
+    let broken = vec![Source::new(value, SourceKind::Broken)];
     if let ValueKind::Array(elements) = &value.kind {
         if elements.is_empty() {
             let help = "give at least one value";
@@ -175,7 +175,7 @@ pub(super) fn list<'d>(
     }
     let source = match &value.kind {
         ValueKind::Object(_) => sources::read(reader, value, draft),
-        _ => Source { value, kind: SourceKind::Literal },
+        _ => Source::new(value, SourceKind::Literal),
     };
     let help = "write `[value, …]`, where a value may be a connection, or connect an array";
     let message = match source.kind {
@@ -189,7 +189,7 @@ pub(super) fn list<'d>(
                 let parameters = parts.iter().map(|(name, _)| draft.parameter_names.get(name));
                 return parameters
                     .map(|at| at.map_or(SourceKind::Broken, |at| SourceKind::Parameter(*at)))
-                    .map(|kind| Source { value, kind })
+                    .map(|kind| Source::new(value, kind))
                     .collect();
             }
             (name, shape) => {

@@ -1,7 +1,7 @@
 //! A graph as far as its names are resolved: what the passes of the checker work on.
 
-use std::cell::Cell;
-use std::collections::HashMap;
+use std::cell::{Cell, RefCell};
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use crate::document::{Member, Value};
@@ -13,6 +13,7 @@ use super::limits::MAX_NODES;
 use super::nested::Nested;
 use super::node_types::NodeTypes;
 use super::shape::Shape;
+use super::splits::Splits;
 
 /// The names of a graph, and their types as far as they are known.
 pub(super) struct Draft<'d> {
@@ -20,15 +21,22 @@ pub(super) struct Draft<'d> {
     pub node_types: NodeTypes<'d>,
     /// The phenomena used, by file as written; none where a file cannot be used.
     pub phenomena: HashMap<&'d str, Option<NodeType>>,
+    /// The same of the file itself, by name; those alone that are used.
+    pub inner: HashMap<&'d str, Option<NodeType>>,
     /// What they are, by node type.
     pub nested: HashMap<NodeType, Rc<Nested>>,
+    /// How many phenomena are within one another here, itself included.
+    pub depth: usize,
     pub parameters: Vec<DraftParameter<'d>>,
     pub nodes: Vec<DraftNode<'d>>,
     pub roots: Vec<DraftRoot<'d>>,
+    pub outputs: Vec<DraftOutput<'d>>,
     /// Parts of the interface by name: `tint`, `layers[2].tint`.
     pub parameter_names: HashMap<String, usize>,
     /// How many more values lists and arrays may give to nodes.
     pub values_left: Cell<usize>,
+    /// What takes values apart of which a component is connected, once inputs are bound.
+    pub splits: RefCell<Splits>,
     /// Bytes of the texts all of them keep: elements of an array have each their own.
     pub part_bytes: usize,
     /// Arrays and structs of the interface, and those within them.
@@ -84,15 +92,33 @@ impl<'d> DraftRoot<'d> {
     }
 }
 
+/// An output.
+pub(super) struct DraftOutput<'d> {
+    pub member: &'d Member,
+    /// None where the file does not say it understandably.
+    pub value_type: Option<Type>,
+    pub doc: String,
+    pub source: Source<'d>,
+}
+
 /// Where a value comes from.
 #[derive(Clone, Copy)]
 pub(super) struct Source<'d> {
     pub value: &'d Value,
     pub kind: SourceKind,
+    /// The component alone that is taken of it: `y` of a vector, `r` of a color.
+    pub component: Option<char>,
+}
+
+impl<'d> Source<'d> {
+    /// A source as a whole.
+    pub fn new(value: &'d Value, kind: SourceKind) -> Self {
+        Self { value, kind, component: None }
+    }
 }
 
 /// What kind of source it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum SourceKind {
     /// Something already reported: nothing more is said of it.
     Broken,
@@ -112,12 +138,16 @@ impl<'d> Draft<'d> {
         Self {
             node_types: NodeTypes::of(library),
             phenomena: HashMap::new(),
+            inner: HashMap::new(),
             nested: HashMap::new(),
+            depth: 1,
             parameters: Vec::new(),
             nodes: Vec::new(),
             roots: Vec::new(),
+            outputs: Vec::new(),
             parameter_names: HashMap::new(),
             values_left: Cell::new(MAX_NODES),
+            splits: RefCell::default(),
             part_bytes: 0,
             compounds: Vec::new(),
             compound_names: HashMap::new(),
@@ -129,6 +159,64 @@ impl<'d> Draft<'d> {
     /// The name of a node.
     pub fn name(&self, node: usize) -> &'d str {
         &self.nodes[node].member.key
+    }
+
+    /// All that the phenomenon is called for: what its roots and outputs read.
+    pub fn called(&self) -> impl Iterator<Item = &Source<'d>> {
+        let outputs = self.outputs.iter().map(|output| &output.source);
+        self.roots.iter().flat_map(DraftRoot::sources).chain(outputs)
+    }
+
+    /// The nodes, with their outputs, that an output of a node may read. Of a phenomenon these are
+    /// given to parameters on which the output depends; none of them is left out where it is not
+    /// known which output is meant.
+    pub fn reads_for(
+        &self,
+        node: usize,
+        output: Option<usize>,
+    ) -> impl Iterator<Item = (usize, Option<usize>)> {
+        let nested = self.nodes[node].node_type.and_then(|it| self.nested.get(&it));
+        let is_read = move |input: &DraftInput<'_>| match (nested, output, input.input) {
+            (Some(nested), Some(output), Some(input)) => nested.reads(output, input),
+            _ => true,
+        };
+        let inputs = self.nodes[node].inputs.iter();
+        inputs.filter(move |input| is_read(input)).filter_map(|input| match input.source.kind {
+            SourceKind::Node(source, output) => Some((source, output)),
+            _ => None,
+        })
+    }
+
+    /// The nodes that are evaluated for sources, each once, but phenomena once for each of their outputs
+    /// that is read.
+    pub fn evaluated<'s>(
+        &self,
+        sources: impl Iterator<Item = &'s Source<'d>>,
+    ) -> Vec<(usize, Option<usize>)>
+    where
+        'd: 's,
+    {
+        let mut pending: Vec<(usize, Option<usize>)> = sources
+            .filter_map(|source| match source.kind {
+                SourceKind::Node(node, output) => Some((node, output)),
+                _ => None,
+            })
+            .collect();
+        let mut plain = vec![false; self.nodes.len()];
+        let mut outputs = HashSet::new();
+        let mut found = Vec::new();
+        while let Some((node, output)) = pending.pop() {
+            let node_type = self.nodes[node].node_type;
+            let is_new = match node_type.is_some_and(|it| self.nested.contains_key(&it)) {
+                true => outputs.insert((node, output)),
+                false => !std::mem::replace(&mut plain[node], true),
+            };
+            if is_new {
+                found.push((node, output));
+                pending.extend(self.reads_for(node, output));
+            }
+        }
+        found
     }
 
     /// The nodes a node reads, known and unknown inputs alike.

@@ -3,10 +3,10 @@
 use std::rc::Rc;
 
 use crate::diagnostics::Code;
-use crate::document::Reader;
+use crate::document::{Reader, Value};
 use crate::graph::{Binding, Graph, Node, Root};
 use crate::nodes::NodeLibrary;
-use crate::values::{Literal, Type};
+use crate::values::Type;
 
 use super::draft::Draft;
 use super::limits::MAX_NODES;
@@ -20,8 +20,24 @@ enum Placed {
     Phenomenon(usize, Rc<Nested>),
 }
 
+impl Placed {
+    /// How many outputs lead into it.
+    fn outputs(&self) -> usize {
+        match self {
+            Placed::Node(_) => 0,
+            Placed::Phenomenon(_, nested) => nested.outputs.len(),
+        }
+    }
+}
+
 /// The graph with every nested phenomenon expanded; none, and a finding, where it grows too large.
-pub(super) fn expand(reader: &mut Reader<'_>, draft: &Draft<'_>, graph: Graph) -> Option<Graph> {
+/// `phenomenon` is where it is declared.
+pub(super) fn expand(
+    reader: &mut Reader<'_>,
+    phenomenon: &Value,
+    draft: &Draft<'_>,
+    graph: Graph,
+) -> Option<Graph> {
     let mut places = Vec::with_capacity(graph.nodes.len());
     let mut count = 0_usize;
     for node in &graph.nodes {
@@ -40,12 +56,11 @@ pub(super) fn expand(reader: &mut Reader<'_>, draft: &Draft<'_>, graph: Graph) -
         let message = format!(
             "with its nested phenomena the graph has {count} nodes; at most {MAX_NODES} are allowed"
         );
-        let root = &reader.document.root;
-        let place = reader.document.root.get("nodes").unwrap_or(root);
+        let place = phenomenon.get("nodes").unwrap_or(phenomenon);
         reader.report(Code::TOO_MANY_NODES, place, message, "use fewer phenomena, or smaller ones");
         return None;
     }
-    let known = vec![[None, None]; graph.nodes.len()];
+    let known = places.iter().map(|place| vec![None; place.outputs()]).collect();
     let mut expansion = Expansion { outer: &graph, places: &places, known };
     let library = draft.node_types.library;
     let mut nodes = Vec::with_capacity(count);
@@ -69,8 +84,12 @@ pub(super) fn expand(reader: &mut Reader<'_>, draft: &Draft<'_>, graph: Graph) -
         let ok = expansion.resolve(None, &root.ok, Type::Boolean);
         roots.push(Root { kind: root.kind, color, ok });
     }
+    let mut outputs = graph.outputs.clone();
+    for output in &mut outputs {
+        output.value = expansion.resolve(None, &output.value, output.value_type);
+    }
     drop(expansion);
-    Some(Graph { nodes, roots, ruled_out, ..graph })
+    Some(Graph { nodes, roots, outputs, ruled_out, ..graph })
 }
 
 /// What is never evaluated, in the places where the nodes went.
@@ -97,7 +116,7 @@ struct Expansion<'e> {
     places: &'e [Placed],
     /// For each phenomenon, where its outputs lead, once known: phenomena may hand a value on and on,
     /// and each way is walked once.
-    known: Vec<[Option<Binding>; 2]>,
+    known: Vec<Vec<Option<Binding>>>,
 }
 
 impl Expansion<'_> {
@@ -138,7 +157,6 @@ impl Expansion<'_> {
         let (outer, places) = (self.outer, self.places);
         let mut binding = binding;
         let mut passed: Vec<(usize, usize)> = Vec::new();
-        let truth = Binding::Literal(Literal::Boolean(true));
         let end = loop {
             match (scope, binding) {
                 (_, Binding::Default | Binding::Literal(_)) | (None, Binding::Parameter(_)) => {
@@ -166,11 +184,7 @@ impl Expansion<'_> {
                         }
                         passed.push((*node, *output));
                         scope = Some(*node);
-                        binding = match (nested.root(), output) {
-                            (Some(root), 0) => &root.color,
-                            (Some(Root { ok: Binding::Default, .. }), _) | (None, _) => &truth,
-                            (Some(root), _) => &root.ok,
-                        };
+                        binding = &nested.outputs[*output].value;
                     }
                 },
             }

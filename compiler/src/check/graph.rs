@@ -66,7 +66,8 @@ pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn 
     }
     let mut reader = Reader::new(document);
     let given = Given { library, files, checked: &checked };
-    let phenomenon = phenomenon::check(&mut reader, given, reachable.into_named());
+    let mut named = reachable.into_named();
+    let phenomenon = phenomenon::check(&mut reader, given, &mut named);
     // What is wrong in the files it uses follows what is wrong in itself.
     for finding in found.into_sorted() {
         reader.findings.push(finding);
@@ -78,10 +79,10 @@ pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn 
 fn check_one(
     document: &Document,
     given: Given<'_>,
-    named: Named,
+    mut named: Named,
 ) -> (Vec<Finding>, Option<Nested>) {
     let mut reader = Reader::new(document);
-    let phenomenon = phenomenon::check(&mut reader, given, named);
+    let phenomenon = phenomenon::check(&mut reader, given, &mut named);
     let phenomenon = phenomenon.filter(|_| !reader.findings.has_errors());
     (reader.findings.into_sorted(), phenomenon)
 }

@@ -4,9 +4,8 @@
 use crate::document::{FORMAT, Given, Key, Kind, Section, names_of};
 use crate::values::Type;
 
-const fn key(name: &'static str, kind: Kind, given: Given, doc: &'static str) -> Key {
-    Key { name, kind, only: &[], given, unit: "", doc }
-}
+pub use super::value_keys::{COLOR, OUTPUT};
+use super::value_keys::{EDITOR, key};
 
 /// A key that goes with some types only.
 const fn key_of(
@@ -19,13 +18,6 @@ const fn key_of(
     Key { name, kind, only, given, unit: "", doc }
 }
 
-/// What editors keep.
-const EDITOR: Key = key(
-    "editor",
-    Kind::Anything,
-    Given::Optional,
-    "Whatever editors keep here; it changes nothing",
-);
 /// The author's and the library's versions.
 const VERSION: Kind = Kind::Whole(0..=i32::MAX as i128);
 
@@ -45,14 +37,52 @@ pub static PHENOMENON: Section = Section {
             Given::Optional,
             "What the renderer must do for it",
         ),
-        key("interface", Kind::Named(&PARAMETER), Given::Default("{}"), "Its parameters, by name"),
-        key("nodes", Kind::Named(&NODE), Given::Default("{}"), "Its nodes, by name"),
+        INTERFACE,
+        key("phenomena", Kind::Named(&INNER), Given::Default("{}"), PHENOMENA),
+        NODES,
+        OUTPUTS,
+        CALLED_FOR,
+        EDITOR,
+    ],
+    one_of: &[],
+};
+
+const INTERFACE: Key =
+    key("interface", Kind::Named(&PARAMETER), Given::Default("{}"), "Its parameters, by name");
+const PHENOMENA: &str =
+    "Phenomena its nodes may be, by name: `{ \"phenomenon\": \"name\" }` as a type";
+const NODES: Key = key("nodes", Kind::Named(&NODE), Given::Default("{}"), "Its nodes, by name");
+const OUTPUTS: Key = key(
+    "outputs",
+    Kind::Named(&OUTPUT),
+    Given::Optional,
+    "What it offers where it is a node, by name; at least one",
+);
+const CALLED_FOR: Key = key(
+    "roots",
+    Kind::Object(&ROOTS),
+    Given::Optional,
+    "What it is called for; at least one root, and required unless there are `outputs`",
+);
+
+/// A phenomenon within a file.
+pub static INNER: Section = Section {
+    name: "phenomena",
+    what: "a phenomenon within a file",
+    keys: &[
+        key("version", VERSION, Given::Default("0"), "The author's version of it"),
+        key("doc", Kind::Text, Given::Optional, "What it is"),
         key(
-            "roots",
-            Kind::Object(&ROOTS),
-            Given::Required,
-            "What it is called for; at least one root",
+            "requires",
+            Kind::Object(&REQUIRES),
+            Given::Optional,
+            "What the renderer must do for it",
         ),
+        INTERFACE,
+        key("phenomena", Kind::Named(&INNER), Given::Default("{}"), PHENOMENA),
+        NODES,
+        OUTPUTS,
+        CALLED_FOR,
         EDITOR,
     ],
     one_of: &[],
@@ -288,11 +318,11 @@ pub static NODE: Section = Section {
         key(
             "type",
             Kind::Value {
-                text: "a type from `phenomenon nodes`, or `{ \"file\": \"snow.json\" }`",
+                text: "a type from `phenomenon nodes`, `{ \"file\": \"snow.json\" }`, or `{ \"phenomenon\": \"name\" }`",
                 definition: "node_type",
             },
             Given::Required,
-            "What it computes; a file is a phenomenon as a node",
+            "What it computes; a phenomenon as a node is in another file, or in this one under `phenomena`",
         ),
         key(
             "version",
@@ -325,13 +355,13 @@ pub static CONNECTION: Section = Section {
             "output",
             Kind::Text,
             Given::Optional,
-            "Which of its outputs, by default the first; with `node` only",
+            "Which of its outputs, by default the first, or a component of one: `\"normal.y\"`, `\"color.r\"`, and `\"y\"` where there is one output alone; with `node` only",
         ),
         key(
             "interface",
             Kind::Text,
             Given::Choice,
-            "The parameter whose value arrives, or a part of one: `\"look.tint\"`, `\"layers[2].tint\"`",
+            "The parameter whose value arrives, or a part or a component of one: `\"look.tint\"`, `\"layers[2].tint\"`, `\"tint.r\"`",
         ),
     ],
     one_of: &["node", "interface"],
@@ -358,14 +388,14 @@ pub static TEXTURE: Section = Section {
 
 /// All objects of graph files whose keys are known.
 pub fn sections() -> Vec<&'static Section> {
-    [PHENOMENON.all(), vec![&ROOT, &CONNECTION, &TEXTURE]].concat()
+    [PHENOMENON.all(), vec![&ROOT, &CONNECTION, &TEXTURE, &COLOR]].concat()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::graph::RootKind;
-    use crate::values::Space;
+    use crate::values::{ColorSpace, Space};
 
     #[test]
     fn tables_name_what_the_code_names() {
@@ -374,6 +404,7 @@ mod tests {
         assert!(numbers.eq(NUMBERS.iter().copied()), "{NUMBERS:?}");
         let Kind::Word(spaces) = TEXTURE.keys[1].kind else { panic!() };
         assert_eq!(spaces, Space::ALL.map(|(name, _)| name));
+        assert_eq!(COLOR.names(), ColorSpace::ALL.map(|space| space.name));
         for section in sections() {
             for key in section.keys {
                 assert!(!key.doc.ends_with('.') && !key.doc.is_empty(), "{}", key.name);

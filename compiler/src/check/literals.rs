@@ -8,8 +8,8 @@ use crate::graph::bind::is_affine;
 use crate::values::{Literal, Space, Texture, Type};
 
 use super::keys::TEXTURE;
-use super::mismatch;
 use super::type_names::with_article;
+use super::{color_literals, mismatch};
 
 /// The type a literal has by itself: a number is a scalar, a list of three or four a color. None
 /// for what can only suit one type of place.
@@ -18,6 +18,7 @@ pub(super) fn natural_type(value: &Value) -> Option<Type> {
         ValueKind::Boolean(_) => Some(Type::Boolean),
         ValueKind::Number(_) => Some(Type::Scalar),
         ValueKind::Array(elements) if matches!(elements.len(), 3 | 4) => Some(Type::Color),
+        ValueKind::Object(_) if color_literals::space_of(value).is_some() => Some(Type::Color),
         _ => None,
     }
 }
@@ -80,6 +81,11 @@ pub(super) fn read<'d>(
         (Type::Color, ValueKind::Array(elements)) if matches!(elements.len(), 3 | 4) => {
             let mut color = [0.0, 0.0, 0.0, 1.0];
             components(reader, elements, &mut color, what).then_some(Literal::Color(color))
+        }
+        (Type::Color, ValueKind::Object(_))
+            if let Some(space) = color_literals::space_of(value) =>
+        {
+            color_literals::read(reader, value, space).map(Literal::Color)
         }
         (Type::Vector, ValueKind::Array(elements)) if elements.len() == 3 => {
             let mut vector = [0.0; 3];

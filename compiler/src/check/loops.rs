@@ -8,7 +8,7 @@ use crate::state::Iterated;
 use super::draft::{Draft, Source, SourceKind};
 use super::nested::OutsideLoops;
 
-/// Reports every node that reads the turn of a loop and is reached from a root without passing the
+/// Reports every node that reads the turn of a loop and is reached from a root or an output without passing the
 /// body of one. Tells for each parameter whether it is reached that way too: what a phenomenon
 /// reads below its own loops only, others may give it from their turns.
 pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) -> Vec<OutsideLoops> {
@@ -37,10 +37,8 @@ fn check_over(reader: &mut Reader<'_>, draft: &Draft<'_>, over: Iterated) -> Vec
         parameters: vec![false; draft.parameters.len()],
         pending: Vec::new(),
     };
-    for root in &draft.roots {
-        for source in root.sources() {
-            walk.arrive(reader, source);
-        }
+    for source in draft.called() {
+        walk.arrive(reader, source);
     }
     while let Some(node) = walk.pending.pop() {
         walk.leave(reader, node);

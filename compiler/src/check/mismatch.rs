@@ -5,6 +5,7 @@ use crate::document::{Reader, Value, ValueKind};
 use crate::nodes::{DefaultValue, Kind, NodeLibrary, Signature};
 use crate::values::Type;
 
+use super::color_literals;
 use super::draft::{Draft, Source, SourceKind};
 use super::shape::Shape;
 use super::type_names::{form, with_article};
@@ -43,6 +44,11 @@ pub(super) fn literal(
         ("a texture".into(), Some("give it to a `texture_lookup` node, and connect that"))
     } else if value.get("light").is_some() {
         ("a light".into(), Some("give it to the input `lights` of a `light_loop`"))
+    } else if color_literals::space_of(value).is_some() {
+        (
+            "a color".into(),
+            Some("give it to a `constant_color` node, and connect what you need of that"),
+        )
     } else {
         (value.describe(), None)
     };
@@ -126,6 +132,14 @@ pub(super) fn compound(
 
 /// What the source is, and how it is written in a path.
 fn describe(draft: &Draft<'_>, source: &Source<'_>) -> (String, String) {
+    let (whole, part) = describe_whole(draft, source);
+    match source.component {
+        None => (whole, part),
+        Some(letter) => (format!("component `{letter}` of {whole}"), format!("{part}.{letter}")),
+    }
+}
+
+fn describe_whole(draft: &Draft<'_>, source: &Source<'_>) -> (String, String) {
     match source.kind {
         SourceKind::Parameter(parameter) => {
             let name = shortened(&draft.parameters[parameter].name);

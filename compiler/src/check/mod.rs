@@ -11,7 +11,10 @@
 //! assert_eq!(checked.findings[0].help, "did you mean `mix`?");
 //! ```
 
+mod bind;
 mod bind_inputs;
+mod color_literals;
+mod components;
 mod compounds;
 mod cycles;
 mod dead_inputs;
@@ -22,6 +25,7 @@ mod files;
 mod fixed_inputs;
 mod graph;
 mod hazards;
+mod inner;
 mod interface;
 mod intervals;
 pub mod keys;
@@ -34,6 +38,7 @@ mod names;
 mod nested;
 mod node_types;
 mod nodes;
+mod outputs;
 mod phenomenon;
 mod ranges;
 mod reach;
@@ -44,16 +49,19 @@ mod roots;
 mod settings;
 mod shape;
 mod sources;
+mod splits;
 mod stations;
 mod textures;
 mod type_names;
 mod types;
 mod used_phenomena;
+mod value_keys;
 
 pub use files::{Files, OnDisk};
 pub use graph::{Checked, check_graph, check_graph_with, read_graph_file};
 pub use limits::{
-    MAX_ADVISED, MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_PARTS, MAX_SHADERS,
+    MAX_ADVISED, MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_OUTPUTS, MAX_PARTS,
+    MAX_SHADERS,
 };
 pub use names::name_mistake;
 pub use settings::{Setting, SettingError, bind_setting, bind_settings, bind_text};

@@ -31,6 +31,12 @@ impl<'l> NodeTypes<'l> {
         node_type
     }
 
+    /// Adds a phenomenon that stands in the file itself, by whatever name.
+    pub fn add_inner(&mut self, definition: Definition) -> NodeType {
+        self.phenomena.push(definition);
+        NodeType(self.known + self.phenomena.len() - 1)
+    }
+
     /// The definition of a type.
     pub fn definition(&self, node_type: NodeType) -> &Definition {
         match node_type.0.checked_sub(self.known) {

@@ -8,10 +8,12 @@ use crate::document::{Member, Reader, Value, ValueKind};
 use crate::nodes::{NodeType, Signature};
 
 use super::draft::{Draft, DraftInput, DraftNode};
+use super::inner::inner_of;
 use super::keys::NODE_KEYS;
 use super::limits::MAX_NODES;
 use super::names::check_key;
 use super::reachable::file_of;
+use super::references::quoted;
 use super::shape::Shape;
 use super::{compounds, sources};
 
@@ -153,6 +155,12 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
     if let Some(file) = file_of(value) {
         return draft.phenomena.get(file).copied().flatten();
     }
+    if let Some(name) = inner_of(value) {
+        return draft.inner.get(name).copied().flatten();
+    }
+    if let (Some(name), None) = (value.get("phenomenon"), value.get("file")) {
+        return reader.string(name, "`phenomenon`").and(None);
+    }
     if matches!(value.kind, ValueKind::Object(_)) {
         let object = reader.object(value, "the type of a node", &["file"])?;
         let file = object.required(reader, "file")?;
@@ -162,14 +170,20 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
     let found = draft.node_types.library.find(name);
     if found.is_none() {
         let names: Vec<&str> =
-            draft.node_types.signatures().map(|signature| &*signature.name).collect();
+            draft.node_types.library.iter().map(|(_, it)| &*it.signature.name).collect();
         // A library of another crate may lack what the tables name.
         let synonym = synonyms::node(name).filter(|found| {
             found.ours.iter().all(|ours| draft.node_types.library.find(ours).is_some())
         });
-        let advice = reader.advice(name, names.iter().copied(), synonym, || {
-            "`phenomenon nodes` lists every type".into()
-        });
+        let advice = match draft.inner.contains_key(name) {
+            true => {
+                let form = format!("{{ \"phenomenon\": {} }}", quoted(name));
+                Advice { help: format!("write `{}`", shortened(&form)), fix: Some(form) }
+            }
+            false => reader.advice(name, names.iter().copied(), synonym, || {
+                "`phenomenon nodes` lists every type".into()
+            }),
+        };
         let message = format!("there is no node type `{}`", shortened(name));
         let place = reader.document.place(value);
         reader.findings.push(Finding::misspelt(Code::UNKNOWN_NODE_TYPE, place, message, advice));

@@ -2,18 +2,21 @@
 
 use std::rc::Rc;
 
-use crate::diagnostics::{Code, Finding};
-use crate::document::{Object, Reader, Value, ValueKind};
-use crate::graph::{Graph, Node};
+use crate::diagnostics::{Code, Finding, shortened};
+use crate::document::{Member, Object, Reader, Value, ValueKind};
+use crate::graph::{Graph, Node, Parameter};
 use crate::nodes::NodeLibrary;
 
+use super::bind::Bound;
 use super::draft::Draft;
 use super::files::Files;
+use super::inner::Inner;
 use super::intervals::Intervals;
 use super::nested::Nested;
 use super::reachable::Named;
+use super::used_phenomena::Known;
 use super::{
-    bind_inputs, cycles, dead_inputs, expand, hazards, interface, keys, loops, names, nodes,
+    bind, cycles, dead_inputs, expand, hazards, interface, keys, loops, names, nodes, outputs,
     ranges, reach, requirements, roots, stations, textures, types, used_phenomena,
 };
 
@@ -35,57 +38,115 @@ struct Header {
     doc: String,
 }
 
-/// Checks a phenomenon, which names other files; the graph has no nested phenomena any more.
-pub(super) fn check<'d>(reader: &mut Reader<'d>, given: Given<'d>, named: Named) -> Option<Nested> {
+/// Checks a file, which names other files, with all phenomena in it; the graph has no nested phenomena
+/// any more.
+pub(super) fn check<'d>(
+    reader: &mut Reader<'d>,
+    given: Given<'d>,
+    named: &mut Named,
+) -> Option<Nested> {
     let root = &reader.document.root;
     if !is_graph(reader, root) || !reader.reads_format(root) {
         return None;
     }
-    let object = reader.object(root, keys::PHENOMENON.what, &keys::PHENOMENON.names())?;
-    let header = read_header(reader, &object);
-    let mut draft = Draft::new(given.library, reader.findings.has_errors());
+    // Keys that stand twice were told: what stands below the second is not known.
+    let unresolved = reader.findings.has_errors();
+    let mut inner = Inner::of(reader, root);
+    let mut check = |reader: &mut Reader<'d>, inner: &Inner<'d>, at: usize| {
+        check_one(reader, Standing { given, inner, at, unresolved }, named)
+    };
+    inner.check(reader, &mut check);
+    let phenomenon = check(reader, &inner, 0);
+    // A name that is misspelt may be meant for what seems unused.
+    if !reader.findings.iter().any(|finding| finding.code == Code::UNKNOWN_PHENOMENON) {
+        inner.report_unused(reader);
+    }
+    phenomenon.filter(|_| !reader.findings.has_errors())
+}
+
+/// Where a phenomenon stands.
+#[derive(Clone, Copy)]
+struct Standing<'i, 'd> {
+    given: Given<'d>,
+    inner: &'i Inner<'d>,
+    /// Its position there: 0 for the file.
+    at: usize,
+    /// Whether something of the file is not known.
+    unresolved: bool,
+}
+
+/// Checks a phenomenon, those that it uses being checked.
+fn check_one<'d>(
+    reader: &mut Reader<'d>,
+    standing: Standing<'_, 'd>,
+    named: &mut Named,
+) -> Option<Nested> {
+    let before = reader.findings.errors();
+    let Standing { given, inner, at, unresolved } = standing;
+    let (value, member) = inner.declaration(at);
+    let (section, what) = match member {
+        None => (&keys::PHENOMENON, keys::PHENOMENON.what.to_owned()),
+        Some(member) => (&keys::INNER, format!("the phenomenon `{}`", shortened(&member.key))),
+    };
+    let object = reader.object(value, &what, &section.names())?;
+    let header = read_header(reader, &object, member);
+    let mut draft = Draft::new(given.library, unresolved);
     let nodes = object.optional("nodes");
-    used_phenomena::declare(reader, nodes, &mut draft, named, given.checked);
+    let known = Known { named, files: given.checked, inner, scope: at };
+    used_phenomena::declare(reader, nodes, &mut draft, known);
     interface::read(reader, object.optional("interface"), &mut draft);
     nodes::read(reader, nodes, &mut draft)?;
-    roots::read(reader, root, object.optional("roots"), &mut draft);
+    outputs::read(reader, object.optional("outputs"), &mut draft);
+    roots::read(reader, value, object.optional("roots"), &mut draft);
     let order = cycles::order(reader, &draft);
     let types = types::resolve(&draft, &order);
-    let (nodes, roots) = bind_inputs::bind(reader, &draft, &types);
+    let bound = bind::bind(reader, value, &draft, &types);
     let requirements = requirements::check(reader, object.optional("requires"), &draft);
     let outside_loops = loops::check(reader, &draft);
     stations::check(reader, &draft);
     reach::check(reader, &draft);
-    let ruled_out = check_values(reader, &draft, &nodes, &order);
+    let ruled_out = check_values(reader, &draft, &bound.nodes, &order);
     textures::check(reader, given.files);
-    let parameters = draft.parameters.iter_mut().filter_map(|given| given.parameter.take());
-    let parameters = parameters.collect();
-    let Header { name, version, doc } = header;
-    let library = given.library.clone();
-    let graph =
-        Graph { library, name, doc, version, requirements, parameters, nodes, roots, ruled_out };
-    if draft.phenomena.values().any(Option::is_none) || reader.findings.has_errors() {
+    let parameters: Option<Vec<Parameter>> =
+        draft.parameters.iter_mut().map(|given| given.parameter.take()).collect();
+    let mut uses = draft.phenomena.values().chain(draft.inner.values());
+    if uses.any(Option::is_none) || reader.findings.errors() > before {
         return None;
     }
+    let Header { name, version, doc } = header;
+    let Bound { nodes, roots, outputs } = bound;
+    let (library, parameters) = (given.library.clone(), parameters?);
+    #[rustfmt::skip]
+    let graph = Graph {
+        library, name, doc, version, requirements, parameters, nodes, roots, outputs, ruled_out,
+    };
     let graph = match draft.nested.is_empty() {
         true => graph,
-        false => expand::expand(reader, &draft, graph)?,
+        false => expand::expand(reader, value, &draft, graph)?,
     };
     let shapes = draft.compounds.drain(..).filter(|(name, _)| !name.contains(['.', '[']));
-    Some(Nested::new(graph, outside_loops, shapes.collect()))
+    Some(Nested::new(graph, draft.depth, outside_loops, shapes.collect()))
 }
 
-fn read_header<'d>(reader: &mut Reader<'d>, object: &Object<'d>) -> Header {
-    let name = object.optional("phenomenon").and_then(|value| {
-        let name = reader.string(value, "the name of the phenomenon")?;
-        names::check_name(reader, value, "the name of the phenomenon", name);
-        Some(name)
-    });
+/// What it says of itself; one within a file is named by its key.
+fn read_header<'d>(
+    reader: &mut Reader<'d>,
+    object: &Object<'d>,
+    member: Option<&'d Member>,
+) -> Header {
+    let name = match member {
+        Some(member) => Some(member.key.as_str()),
+        None => object.optional("phenomenon").and_then(|value| {
+            let name = reader.string(value, "the name of the phenomenon")?;
+            names::check_name(reader, value, "the name of the phenomenon", name);
+            Some(name)
+        }),
+    };
     let version = object
         .optional("version")
         .and_then(|value| reader.integer(value, "`version`", 0..=i32::MAX));
     let doc = object.optional("doc").and_then(|value| reader.string(value, "`doc`"));
-    if let Some(value) = object.optional("$schema") {
+    if let (Some(value), None) = (object.optional("$schema"), member) {
         reader.string(value, "`$schema`");
     }
     Header {

@@ -6,7 +6,7 @@ use crate::diagnostics::{Code, Finding, shortened};
 use crate::document::{Reader, ValueKind};
 use crate::values::Type;
 
-use super::draft::{Draft, DraftInput, DraftNode, DraftRoot, Source, SourceKind};
+use super::draft::{Draft, DraftInput, DraftNode, Source, SourceKind};
 
 /// Reports the nodes at the top of what no root reaches, and the unused parameters. Says nothing
 /// where a connection could not be resolved: it may be the one that is missing.
@@ -17,7 +17,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
     unreachable_nodes(reader, draft);
     let mut used = vec![false; draft.parameters.len()];
     let inputs = draft.nodes.iter().flat_map(|node| &node.inputs).map(|input| &input.source);
-    for source in inputs.chain(draft.roots.iter().flat_map(DraftRoot::sources)) {
+    for source in inputs.chain(draft.called()) {
         if let SourceKind::Parameter(parameter) = source.kind {
             used[parameter] = true;
         }
@@ -39,7 +39,8 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
 
 /// Whether every connection that was meant is known.
 fn is_resolved(draft: &Draft<'_>) -> bool {
-    let rootless = draft.roots.is_empty() || draft.roots.iter().any(|root| root.colors.is_empty());
+    let rootless = draft.roots.is_empty() && draft.outputs.is_empty()
+        || draft.roots.iter().any(|root| root.colors.is_empty());
     let is_text = |node: &DraftNode<'_>, input: &DraftInput<'_>| {
         let signature = node.node_type.map(|node_type| draft.node_types.signature(node_type));
         let declared = signature.zip(input.input).map(|(of, at)| &of.inputs[at]);
@@ -47,11 +48,11 @@ fn is_resolved(draft: &Draft<'_>) -> bool {
     };
     let mut inputs =
         draft.nodes.iter().flat_map(|node| node.inputs.iter().map(move |input| (node, input)));
-    let mut roots = draft.roots.iter().flat_map(DraftRoot::sources);
+    let mut called = draft.called();
     !draft.unresolved.get()
         && !rootless
         && inputs.all(|(node, input)| is_known(&input.source, is_text(node, input)))
-        && roots.all(|source| is_known(source, false))
+        && called.all(|source| is_known(source, false))
 }
 
 /// Whether it is known what a source leads to.
@@ -73,20 +74,12 @@ fn is_known(source: &Source<'_>, is_text: bool) -> bool {
 
 fn unreachable_nodes(reader: &mut Reader<'_>, draft: &Draft<'_>) {
     let mut reached = vec![false; draft.nodes.len()];
-    let mut pending: Vec<usize> = Vec::new();
-    for source in draft.roots.iter().flat_map(DraftRoot::sources) {
-        if let SourceKind::Node(node, _) = source.kind {
-            pending.push(node);
-        }
-    }
-    while let Some(node) = pending.pop() {
-        if !std::mem::replace(&mut reached[node], true) {
-            pending.extend(draft.reads(node).map(|(source, _)| source));
-        }
+    for (node, _) in draft.evaluated(draft.called()) {
+        reached[node] = true;
     }
     // What only an unreached node reads is unreached because of it: only the tops are told.
     let mut read = vec![false; draft.nodes.len()];
-    for node in 0..draft.nodes.len() {
+    for node in (0..draft.nodes.len()).filter(|&node| !reached[node]) {
         for (source, _) in draft.reads(node) {
             read[source] = true;
         }
@@ -95,7 +88,8 @@ fn unreachable_nodes(reader: &mut Reader<'_>, draft: &Draft<'_>) {
         if !reached[node] && !read[node] {
             let name = shortened(draft.name(node));
             let place = reader.document.place_of_key(draft.nodes[node].member);
-            let message = format!("no root reaches node `{name}`, so it is never evaluated");
+            let nothing = if draft.outputs.is_empty() { "no root" } else { "no root or output" };
+            let message = format!("{nothing} reaches node `{name}`, so it is never evaluated");
             let help = "connect one of its outputs, or remove it";
             reader.findings.push(Finding::new(Code::UNREACHABLE_NODE, place, message, help));
         }

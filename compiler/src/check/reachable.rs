@@ -243,13 +243,19 @@ fn uses(document: &Document) -> Vec<Use> {
     }
     let mut seen = HashSet::new();
     let mut uses = Vec::new();
-    for member in root.get("nodes").map_or(&[][..], Value::members) {
-        let Some(value) = member.value.get("type") else { continue };
-        let Some(file) = file_of(value) else { continue };
-        if seen.insert(file) {
-            let place = document.place(value.get("file").unwrap_or(value));
-            uses.push(Use { file: file.to_owned(), place, node: member.key.clone() });
+    // The phenomena that stand in the file name files as well.
+    let mut phenomena = vec![root];
+    while let Some(phenomenon) = phenomena.pop() {
+        for member in phenomenon.get("nodes").map_or(&[][..], Value::members) {
+            let Some(value) = member.value.get("type") else { continue };
+            let Some(file) = file_of(value) else { continue };
+            if seen.insert(file) {
+                let place = document.place(value.get("file").unwrap_or(value));
+                uses.push(Use { file: file.to_owned(), place, node: member.key.clone() });
+            }
         }
+        let inner = phenomenon.get("phenomena").map_or(&[][..], Value::members);
+        phenomena.extend(inner.iter().rev().map(|member| &member.value));
     }
     uses.reverse();
     uses

@@ -7,8 +7,8 @@ use crate::document::{Reader, Value, ValueKind};
 use crate::values::Type;
 
 use super::draft::Draft;
-use super::mismatch;
 use super::type_names::with_article;
+use super::{components, mismatch};
 
 /// Longest text that is taken for a reference.
 const LONGEST: usize = 512;
@@ -65,8 +65,15 @@ pub(super) fn meant(draft: &Draft<'_>, text: &str) -> Option<Meant> {
             return Some(node(draft, head, Some(tail)));
         }
         if is_parameter(head) {
-            let help = part_of_parameter(draft, &format!("{head}.{tail}"))?;
-            return Some(Meant { help, members: None, value_type: None, parameter: None });
+            return match part_of_parameter(draft, &format!("{head}.{tail}"))? {
+                (_, Part::Help(help)) => {
+                    Some(Meant { help, members: None, value_type: None, parameter: None })
+                }
+                (at, Part::Component(letter)) => Some(component(
+                    format!("\"interface\": {}", quoted(&format!("{head}.{letter}"))),
+                    Some(at),
+                )),
+            };
         }
     }
     None
@@ -84,6 +91,12 @@ fn parameter(draft: &Draft<'_>, name: &str) -> Meant {
         value_type: position.and_then(|at| draft.parameters[at].value_type),
         parameter: position,
     }
+}
+
+/// A component of an output or a parameter, as the members of the connection to it.
+fn component(members: String, parameter: Option<usize>) -> Meant {
+    let help = format!("write `{{ {} }}`", shortened(&members));
+    Meant { help, members: Some(members), value_type: Some(Type::Scalar), parameter }
 }
 
 /// What `name`, or `name.rest`, means of a node that exists.
@@ -113,8 +126,14 @@ fn node(draft: &Draft<'_>, name: &str, rest: Option<&str>) -> Meant {
             parameter: None,
         };
     }
-    if let Some(help) = part_of_output(draft, at, rest) {
-        return unsure(help);
+    match part_of_output(draft, at, rest) {
+        Some((_, Part::Help(help))) => return unsure(help),
+        Some((output, Part::Component(letter))) => {
+            let output = quoted(&format!("{}.{letter}", signature.outputs[output].name));
+            let node = quoted(name);
+            return component(format!("\"node\": {node}, \"output\": {output}"), None);
+        }
+        None => {}
     }
     if let Some(found) = synonyms::output(rest, has) {
         let output = found.ours.first().copied().unwrap_or(rest);
@@ -125,45 +144,54 @@ fn node(draft: &Draft<'_>, name: &str, rest: Option<&str>) -> Meant {
     unsure(format!("write `{{ \"node\": \"{shown}\", \"output\": … }}`; its outputs are {outputs}"))
 }
 
+/// What takes a part of a value.
+pub(super) enum Part {
+    /// One of its components, by the letter it has here.
+    Component(char),
+    /// What to do for several of them.
+    Help(String),
+}
+
 /// How to take a part of an output of a node: of `point.y`, or of `y` where a vector is the only output.
-pub(super) fn part_of_output(draft: &Draft<'_>, node: usize, text: &str) -> Option<String> {
+pub(super) fn part_of_output(draft: &Draft<'_>, node: usize, text: &str) -> Option<(usize, Part)> {
     let signature = draft.node_types.signature(draft.nodes[node].node_type?);
     let name = shortened(draft.name(node));
     let split = text.split_once(['.', '/', ':', '[']);
-    let (output, part) = match split {
+    let (at, part) = match split {
         Some((output, part)) => (signature.output(output)?, part.trim_end_matches(']')),
         None if signature.outputs.len() == 1 => (0, text),
         None => return None,
     };
-    let output = &signature.outputs[output];
+    let output = &signature.outputs[at];
     let value = match signature.outputs.len() {
         1 => name,
         _ => format!("{name}.{}", output.name),
     };
-    part_of(output.value_type, part, &value)
+    Some((at, part_of(output.value_type, part, &value)?))
 }
 
 /// The same of a parameter: of `tint.r`.
-pub(super) fn part_of_parameter(draft: &Draft<'_>, text: &str) -> Option<String> {
+pub(super) fn part_of_parameter(draft: &Draft<'_>, text: &str) -> Option<(usize, Part)> {
     let (name, part) = text.rsplit_once(['.', '/', ':'])?;
     let parameter = *draft.parameter_names.get(name)?;
-    part_of(draft.parameters[parameter].value_type?, part, &shortened(name))
+    let value_type = draft.parameters[parameter].value_type?;
+    Some((parameter, part_of(value_type, part, &shortened(name))?))
 }
 
 /// How to take the part of a value.
-fn part_of(value_type: Type, part: &str, value: &str) -> Option<String> {
+fn part_of(value_type: Type, part: &str, value: &str) -> Option<Part> {
     let letters: Vec<char> = part.to_lowercase().chars().collect();
-    let (spatial, colored) = (['x', 'y', 'z'], ['r', 'g', 'b', 'a']);
-    let all = |of: &[char]| !letters.is_empty() && letters.iter().all(|c| of.contains(c));
     if letters.len() > 4 {
         return None;
     }
+    let (spatial, colored) = (components::letters(Type::Vector), components::letters(Type::Color));
+    let is_spatial = !letters.is_empty() && letters.iter().all(|&c| spatial.contains(c));
     // A generic value has the type of what it is made of, which is not known here.
     let (split, combine, own) = match value_type {
-        Type::Vector => ("split_vector", "combine_vector", &spatial[..]),
-        Type::Color => ("split_color", "combine_color", &colored[..]),
-        Type::Generic if all(&spatial) => ("split_vector", "combine_vector", &spatial[..]),
-        Type::Generic => ("split_color", "combine_color", &colored[..]),
+        Type::Vector => ("split_vector", "combine_vector", spatial),
+        Type::Color => ("split_color", "combine_color", colored),
+        Type::Generic if is_spatial => ("split_vector", "combine_vector", spatial),
+        Type::Generic => ("split_color", "combine_color", colored),
         _ => return None,
     };
     // The other alphabet, and numbers, count along.
@@ -175,20 +203,20 @@ fn part_of(value_type: Type, part: &str, value: &str) -> Option<String> {
             'w' | 'a' | '3' => 3,
             _ => return None,
         };
-        own.get(at).copied()
+        own.chars().nth(at)
     };
-    let letters: Option<Vec<char>> = letters.iter().map(letter).collect();
-    match letters?.as_slice() {
-        [] => None,
-        [one] => {
-            Some(format!("put `{value}` through a `{split}` node, and connect its output `{one}`"))
+    let letters: Option<String> = letters.iter().map(letter).collect();
+    let letters = letters?;
+    let mut each = letters.chars();
+    match (each.next(), each.next()) {
+        (None, _) => None,
+        (Some(one), None) => Some(Part::Component(one)),
+        _ if own.starts_with(&letters) && letters.len() >= 3 => {
+            Some(Part::Help(format!("connect `{value}` as a whole")))
         }
-        whole if whole == &own[..whole.len().min(own.len())] && whole.len() >= 3 => {
-            Some(format!("connect `{value}` as a whole"))
-        }
-        _ => Some(format!(
+        _ => Some(Part::Help(format!(
             "put `{value}` through a `{split}` node, and its outputs through a `{combine}` node"
-        )),
+        ))),
     }
 }
 
@@ -252,6 +280,7 @@ fn remedy(
     Some((format!("did you mean the connection `{{ {form} }}`?"), None, None))
 }
 
-fn quoted(name: &str) -> String {
+/// A name as it is written in JSON.
+pub(super) fn quoted(name: &str) -> String {
     serde_json::Value::from(name).to_string()
 }

@@ -10,7 +10,7 @@ use super::keys::{PHENOMENON, ROOT};
 use super::limits::MAX_SHADERS;
 use super::sources;
 
-/// Reads all roots; none at all is a finding. `graph` is the whole document.
+/// Reads all roots; none at all is a finding, unless there are outputs. `graph` is the whole phenomenon.
 pub(super) fn read<'d>(
     reader: &mut Reader<'d>,
     graph: &'d Value,
@@ -19,13 +19,15 @@ pub(super) fn read<'d>(
 ) {
     let Some(value) = value else {
         // A misspelt `roots` was reported as the unknown key it is.
+        let has_outputs = graph.get("outputs").is_some();
         let misspelt = graph.members().iter().any(|member| {
             is_near(&member.key, "roots")
+                || is_near(&member.key, "outputs")
                 || synonyms::key(&member.key, |ours| ours == "roots").is_some()
                     && PHENOMENON.key(&member.key).is_none()
         });
-        if !misspelt {
-            no_root(reader, graph.start);
+        if !misspelt && !has_outputs {
+            no_root(reader, graph, graph.start);
         }
         return;
     };
@@ -41,15 +43,26 @@ pub(super) fn read<'d>(
         let (colors, ok) = read_root(reader, &member.value, draft);
         draft.roots.push(DraftRoot { kind, member, colors, ok });
     }
-    if !any {
-        no_root(reader, value.start);
+    if !any && graph.get("outputs").is_some() {
+        let help = "name a root, or leave `roots` out: there are outputs";
+        reader.report(Code::MISSING_ROOT, value, "`roots` is empty", help);
+    } else if !any {
+        no_root(reader, graph, value.start);
     }
 }
 
-fn no_root(reader: &mut Reader<'_>, at: usize) {
+fn no_root(reader: &mut Reader<'_>, graph: &Value, at: usize) {
     let place = reader.document.place_of_bytes(at, at + 1);
-    let message = "the phenomenon has no root, so nothing can ever call it";
-    let help = "add `\"roots\": { \"material\": { \"node\": … } }`";
+    let (message, help) = match std::ptr::eq(graph, &reader.document.root) {
+        true => (
+            "the phenomenon has no root, so nothing can ever call it",
+            "add `\"roots\": { \"material\": { \"node\": … } }`",
+        ),
+        false => (
+            "the phenomenon has no outputs and no root, so it offers nothing",
+            "add `\"outputs\": { \"name\": { \"type\": …, \"from\": … } }`",
+        ),
+    };
     reader.findings.push(Finding::new(Code::MISSING_ROOT, place, message, help));
 }
 
@@ -118,7 +131,7 @@ fn read_shader<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>)
         let message = "a shader of a list has no `ok` of its own";
         let help = "write `{ \"color\": [ … ], \"ok\": … }` for the root as a whole";
         reader.report(Code::WRONG_KIND, value, message, help);
-        return Source { value, kind: SourceKind::Broken };
+        return Source::new(value, SourceKind::Broken);
     }
     sources::read(reader, value, draft)
 }

@@ -5,18 +5,29 @@ use crate::diagnostics::{Advice, Code, Finding, is_near, listed, shortened};
 use crate::document::{Reader, Value, ValueKind};
 
 use super::draft::{Draft, Source, SourceKind};
-use super::keys::{CONNECTION, CONNECTION_KEYS};
-use super::references;
+use super::keys::{COLOR, CONNECTION, CONNECTION_KEYS};
+use super::references::{self, Part, quoted};
 use super::shape::struct_literal;
+use super::{color_literals, components};
 
 const HELP: &str = "write `{ \"node\": \"name\" }`, `{ \"node\": \"name\", \"output\": \"name\" }` or `{ \"interface\": \"name\" }`";
 
 /// Reads a source; the names in it are resolved, types are not looked at.
 pub(super) fn read<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> Source<'d> {
     let kind = match &value.kind {
-        ValueKind::Object(_) if value.get("node").is_some() => connection(reader, value, draft),
-        ValueKind::Object(_) if value.get("interface").is_some() => parameter(reader, value, draft),
-        ValueKind::Object(_) if value.get("texture").is_some() || value.get("light").is_some() => {
+        ValueKind::Object(_) if value.get("node").is_some() => {
+            let (kind, component) = connection(reader, value, draft);
+            return Source { value, kind, component };
+        }
+        ValueKind::Object(_) if value.get("interface").is_some() => {
+            let (kind, component) = parameter(reader, value, draft);
+            return Source { value, kind, component };
+        }
+        ValueKind::Object(_)
+            if value.get("texture").is_some()
+                || value.get("light").is_some()
+                || color_literals::space_of(value).is_some() =>
+        {
             SourceKind::Literal
         }
         ValueKind::Object(_) => {
@@ -29,7 +40,7 @@ pub(super) fn read<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<
         | ValueKind::String(_)
         | ValueKind::Array(_) => SourceKind::Literal,
     };
-    Source { value, kind }
+    Source::new(value, kind)
 }
 
 /// An object without `node` and `interface`: a misspelt one is one mistake.
@@ -42,37 +53,54 @@ fn no_connection(reader: &mut Reader<'_>, value: &Value) {
     let keys = || CONNECTION_KEYS.into_iter().chain(["texture", "light", "struct"]);
     let misspelt =
         value.members().iter().find(|member| keys().any(|key| is_near(&member.key, key)));
-    match misspelt.or(value.members().first()) {
+    let of_color = value
+        .members()
+        .iter()
+        .find(|member| COLOR.keys.iter().any(|key| is_near(&member.key, key.name)));
+    match misspelt.or(of_color).or(value.members().first()) {
+        Some(member) if misspelt.is_none() && of_color.is_some() => {
+            reader.unknown_key(member, COLOR.what, &COLOR.names());
+        }
         Some(member) => reader.unknown_key(member, CONNECTION.what, &CONNECTION_KEYS),
         None => reader.report(Code::WRONG_KIND, value, "an empty object connects nothing", HELP),
     }
 }
 
-fn connection<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> SourceKind {
+/// A connection to a node, perhaps to a component of an output.
+fn connection<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    draft: &Draft<'d>,
+) -> (SourceKind, Option<char>) {
     let Some(object) = reader.object(value, CONNECTION.what, &CONNECTION_KEYS[..2]) else {
-        return SourceKind::Broken;
+        return (SourceKind::Broken, None);
     };
     let Some(name) = object.optional("node").and_then(|node| reader.string(node, "`node`")) else {
-        return SourceKind::Broken;
+        return (SourceKind::Broken, None);
     };
     let Some(&node) = draft.node_names.get(name) else {
         let lone = object.optional("output").is_none();
         unknown_node(reader, object.optional("node").unwrap_or(value), (name, lone), draft);
-        return SourceKind::Broken;
+        return (SourceKind::Broken, None);
     };
     let Some(node_type) = draft.nodes[node].node_type else {
-        return SourceKind::Node(node, None);
+        return (SourceKind::Node(node, None), None);
     };
     let signature = draft.node_types.signature(node_type);
-    let Some(given) = object.optional("output") else { return SourceKind::Node(node, Some(0)) };
-    let Some(output) = reader.string(given, "`output`") else {
-        return SourceKind::Node(node, None);
+    let Some(given) = object.optional("output") else {
+        return (SourceKind::Node(node, Some(0)), None);
     };
-    let found = signature.output(output);
-    if found.is_none() {
-        unknown_output(reader, draft, given, node, output);
+    let Some(output) = reader.string(given, "`output`") else {
+        return (SourceKind::Node(node, None), None);
+    };
+    if let Some(found) = signature.output(output) {
+        return (SourceKind::Node(node, Some(found)), None);
     }
-    SourceKind::Node(node, found)
+    if let Some((found, letter)) = components::of_output(signature, output) {
+        return (SourceKind::Node(node, Some(found)), Some(letter));
+    }
+    unknown_output(reader, draft, given, node, output);
+    (SourceKind::Node(node, None), None)
 }
 
 /// Reports an output the node does not have.
@@ -87,7 +115,14 @@ fn unknown_output(
     let signature = draft.node_types.signature(node_type);
     let names = || signature.outputs.iter().map(|output| &*output.name);
     let advice = match references::part_of_output(draft, node, output) {
-        Some(help) => help.into(),
+        Some((_, Part::Help(help))) => help.into(),
+        Some((of, Part::Component(letter))) => {
+            let fix = match output.contains(['.', '/', ':', '[']) {
+                true => format!("{}.{letter}", signature.outputs[of].name),
+                false => letter.to_string(),
+            };
+            Advice { help: format!("did you mean `{fix}`?"), fix: Some(quoted(&fix)) }
+        }
         None => {
             let has = |name: &str| signature.output(name).is_some();
             reader.advice(output, names(), synonyms::output(output, has), || {
@@ -127,28 +162,38 @@ fn unknown_node(
     reader.findings.push(Finding::misspelt(Code::UNKNOWN_NODE, place, message, advice));
 }
 
-fn parameter<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -> SourceKind {
+/// A connection to a parameter, to a part of one, or perhaps to a component of it.
+fn parameter<'d>(
+    reader: &mut Reader<'d>,
+    value: &'d Value,
+    draft: &Draft<'d>,
+) -> (SourceKind, Option<char>) {
     let Some(object) = reader.object(value, "a connection to the interface", &CONNECTION_KEYS[2..])
     else {
-        return SourceKind::Broken;
+        return (SourceKind::Broken, None);
     };
-    let Some(given) = object.optional("interface") else { return SourceKind::Broken };
-    let Some(name) = reader.string(given, "`interface`") else { return SourceKind::Broken };
+    let Some(given) = object.optional("interface") else { return (SourceKind::Broken, None) };
+    let Some(name) = reader.string(given, "`interface`") else {
+        return (SourceKind::Broken, None);
+    };
     if let Some(&parameter) = draft.parameter_names.get(name) {
-        return SourceKind::Parameter(parameter);
+        return (SourceKind::Parameter(parameter), None);
     }
     if let Some(&compound) = draft.compound_names.get(name) {
-        return SourceKind::Compound(compound);
+        return (SourceKind::Compound(compound), None);
+    }
+    if let Some((parameter, letter)) = components::of_parameter(draft, name) {
+        return (SourceKind::Parameter(parameter), Some(letter));
     }
     let whole = name.split(['.', '[']).next().unwrap_or(name);
     if let Some(&parameter) = draft.parameter_names.get(whole)
         && draft.parameters[parameter].value_type.is_none()
     {
         // The declaration made a finding, so its parts are not known.
-        return SourceKind::Parameter(parameter);
+        return (SourceKind::Parameter(parameter), None);
     }
     unknown_parameter(reader, draft, given, name);
-    SourceKind::Broken
+    (SourceKind::Broken, None)
 }
 
 /// Reports a connection to a parameter that does not exist, or to a part of one.
@@ -167,7 +212,11 @@ fn unknown_parameter(reader: &mut Reader<'_>, draft: &Draft<'_>, given: &Value, 
     let part = references::part_of_parameter(draft, name);
     let near = near.filter(|_| part.is_none());
     let advice: Advice = match (part, near) {
-        (Some(help), _) => help.into(),
+        (Some((_, Part::Help(help))), _) => help.into(),
+        (Some((of, Part::Component(letter))), _) => {
+            let fix = format!("{}.{letter}", draft.parameters[of].name);
+            Advice { help: format!("did you mean `{}`?", shortened(&fix)), fix: Some(quoted(&fix)) }
+        }
         (None, Some(near)) => near.into(),
         (None, None) if draft.compound_names.contains_key(whole) => {
             let of_whole = |part: &str| {

@@ -8,7 +8,7 @@ use crate::graph::RootKind;
 use crate::nodes::{Kind, NodeType};
 use crate::state::Iterated;
 
-use super::draft::{Draft, SourceKind};
+use super::draft::Draft;
 
 /// Why a root of a shader type cannot do what a node does; none where it can.
 fn forbidden(station: RootKind, kind: &Kind) -> Option<&'static str> {
@@ -38,9 +38,8 @@ fn forbidden(station: RootKind, kind: &Kind) -> Option<&'static str> {
 
 /// Reports every node below a root that asks for what is not allowed there.
 pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
-    let mut visited = vec![usize::MAX; draft.nodes.len()];
     let mut reported = vec![false; draft.nodes.len()];
-    for (at, root) in draft.roots.iter().enumerate() {
+    for root in &draft.roots {
         let nested = draft.nested.values();
         let misapplied =
             nested.clone().any(|nested| !nested.graph.requirements.applies_to(root.kind));
@@ -49,21 +48,12 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
         if !anything {
             continue;
         }
-        let mut pending: Vec<usize> = Vec::new();
-        for source in root.sources() {
-            if let SourceKind::Node(node, _) = source.kind {
-                pending.push(node);
-            }
-        }
-        while let Some(node) = pending.pop() {
-            if std::mem::replace(&mut visited[node], at) == at {
-                continue;
-            }
-            pending.extend(draft.reads(node).map(|(source, _)| source));
+        for (node, output) in draft.evaluated(root.sources()) {
             if let Some(node_type) = draft.nodes[node].node_type
                 && !reported[node]
             {
-                reported[node] = report(reader, draft, root.kind, node, node_type);
+                let at = (node, node_type, output);
+                reported[node] = report(reader, draft, root.kind, at);
             }
         }
     }
@@ -73,14 +63,13 @@ fn report(
     reader: &mut Reader<'_>,
     draft: &Draft<'_>,
     station: RootKind,
-    node: usize,
-    node_type: NodeType,
+    (node, node_type, output): (usize, NodeType, Option<usize>),
 ) -> bool {
     let signature = draft.node_types.signature(node_type);
-    // A phenomenon asks whatever its nodes ask.
+    // A phenomenon asks whatever the nodes ask that its output rests on.
     let inner = draft.nested.get(&node_type);
     let why = forbidden(station, &signature.kind)
-        .or_else(|| inner?.asks.iter().find_map(|kind| forbidden(station, kind)));
+        .or_else(|| inner?.asks(output).find_map(|kind| forbidden(station, kind)));
     if let Some(inner) = inner
         && !inner.graph.requirements.applies_to(station)
     {

@@ -18,8 +18,16 @@ impl Types {
         self.generic[node]
     }
 
-    /// The type of a source that is not a literal; none where it is not known.
+    /// The type of a source that is not a literal; none where it is not known. Components are scalars.
     pub fn of(&self, draft: &Draft<'_>, source: &Source<'_>) -> Option<Type> {
+        match source.component {
+            Some(_) => Some(Type::Scalar),
+            None => self.of_whole(draft, source),
+        }
+    }
+
+    /// The type of that of which a source may be a component.
+    pub fn of_whole(&self, draft: &Draft<'_>, source: &Source<'_>) -> Option<Type> {
         match source.kind {
             SourceKind::Parameter(parameter) => draft.parameters[parameter].value_type,
             SourceKind::Node(node, Some(output)) => {

@@ -213,6 +213,14 @@ codes! {
     TOO_MANY_PARTS "too-many-parts" Error "An interface past the size limit",
         "Arrays and structs are taken apart: each part is a parameter of its own. An interface may have 65,536 of them in all.",
         wrong "\"default\": [0, 0, … 100,000 numbers … 0]", right "\"default\": [0, 0, … 100 numbers … 0]";
+    UNKNOWN_PHENOMENON "unknown-phenomenon" Error "A phenomenon the file does not hold",
+        "A node is to be a phenomenon that stands in the file, and none of that name stands under `phenomena`, nor round the phenomenon the node belongs to.",
+        wrong r#"{ "phenomenon": "a", "phenomena": { "grey": { "outputs": { "value": { "type": "scalar", "from": 0.5 } } } }, "nodes": { "n": { "type": { "phenomenon": "gray" } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "phenomena": { "grey": { "outputs": { "value": { "type": "scalar", "from": 0.5 } } } }, "nodes": { "n": { "type": { "phenomenon": "grey" } } }, "roots": { "material": { "node": "n" } } }"#;
+    BAD_COLOR "bad-color" Error "A colour that cannot be read",
+        "Colours of encoded spaces are `#` and three, four, six or eight hexadecimal digits, or three or four numbers of 0 to 1; those of linear spaces are numbers.",
+        wrong r##"{ "phenomenon": "a", "roots": { "material": { "srgb": [255, 128, 0] } } }"##,
+        right r##"{ "phenomenon": "a", "roots": { "material": { "srgb": "#ff8000" } } }"##;
     WRONG_LENGTH "wrong-length" Error "A list of the wrong length",
         "An array has the length its default has, so that every part of it is known before anything is evaluated. Where it is given, there must be as many values. A list with nothing in it has no value at all.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "sum", "inputs": { "values": [] } } }, "roots": { "material": { "node": "n" } } }"#,
@@ -221,6 +229,10 @@ codes! {
         "No root reads the node, directly or through others, so it is never evaluated. Only the last node of an unused part is reported.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": 1 } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": { "node": "n" } } }"#;
+    UNUSED_PHENOMENON "unused-phenomenon" Warning "A phenomenon no node is",
+        "The phenomenon stands in the file, and nothing there uses it. Only the outermost of what is unused is reported.",
+        wrong r#"{ "phenomenon": "a", "phenomena": { "grey": { "outputs": { "value": { "type": "scalar", "from": 0.5 } } } }, "roots": { "material": 1 } }"#,
+        right r#"{ "phenomenon": "a", "phenomena": { "grey": { "outputs": { "value": { "type": "scalar", "from": 0.5 } } } }, "nodes": { "n": { "type": { "phenomenon": "grey" } } }, "roots": { "material": { "node": "n" } } }"#;
     UNUSED_PARAMETER "unused-parameter" Warning "A parameter nothing reads",
         "Setting the parameter changes nothing, because no node and no root reads it.",
         wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": 1 } }"#,

@@ -45,10 +45,14 @@ impl Findings {
         self.kept.len() >= KEPT_FINDINGS
     }
 
+    /// How many errors there are, kept or not.
+    pub fn errors(&self) -> usize {
+        self.kept.len() - self.others + self.omitted[Severity::Error as usize]
+    }
+
     /// Whether one of them is an error.
     pub fn has_errors(&self) -> bool {
-        self.omitted[Severity::Error as usize] > 0
-            || self.kept.iter().any(|finding| finding.severity == Severity::Error)
+        self.errors() > 0
     }
 
     /// How many were counted but not kept.

@@ -11,11 +11,11 @@ const INDENTED: usize = 20;
 
 /// The document as text, two spaces a level. The order stays, but `format` comes first, after `$schema`. The file, its sections (`interface`, `nodes`,
 /// `objects` …) and what they list have one line for each member; in what is listed, such as a node,
-/// lines are filled up to 120 characters. Numbers stay as written, strings are escaped only where they
+/// lines are filled up to 120 characters; a phenomenon within a file is laid out as a file is. Numbers stay as written, strings are escaped only where they
 /// must be, and one blank line stays one.
 pub fn canonical(document: &Document) -> String {
     let mut layout = Layout { source: &document.file.text, text: String::new(), line: 0 };
-    layout.write(&document.root, 0, 0);
+    layout.write(&document.root, At { depth: 0, level: 0 }, 0);
     layout.text.push('\n');
     layout.text
 }
@@ -27,14 +27,39 @@ struct Layout<'d> {
     line: usize,
 }
 
+/// Where a value stands.
+#[derive(Clone, Copy)]
+struct At {
+    /// How many objects and lists are round it.
+    depth: usize,
+    /// The same as far as the layout goes: a phenomenon within a file is laid out as the file is.
+    level: usize,
+}
+
+impl At {
+    /// What stands within a value, under that key of an object.
+    fn within(self, member: Option<&Member>) -> Self {
+        let level = match (self.level, member) {
+            (0, Some(member)) if member.key == "phenomena" => PHENOMENA,
+            (PHENOMENA, Some(_)) => 0,
+            (PHENOMENA, None) => 2,
+            (level, _) => level + 1,
+        };
+        Self { depth: self.depth + 1, level }
+    }
+}
+
+/// The level of the section that has phenomena.
+const PHENOMENA: usize = usize::MAX;
+
 /// A key, for members of objects, and its value.
 type Element<'v> = (Option<&'v Member>, &'v Value);
 
 impl Layout<'_> {
-    /// Writes a value at a nesting depth; `after` characters follow on its last line.
-    fn write(&mut self, value: &Value, depth: usize, after: usize) {
-        let listed = match (depth, &value.kind) {
-            (0, ValueKind::Object(members)) => !members.is_empty(),
+    /// Writes a value; `after` characters follow on its last line.
+    fn write(&mut self, value: &Value, at: At, after: usize) {
+        let listed = match (at.level, &value.kind) {
+            (0 | PHENOMENA, ValueKind::Object(members)) => !members.is_empty(),
             (1, ValueKind::Object(_)) => !is_short(value),
             _ => false,
         };
@@ -47,7 +72,8 @@ impl Layout<'_> {
                 (elements.iter().map(|it| (None, it)).collect(), "[", "]")
             }
             ValueKind::Object(members) => {
-                let members = if depth == 0 { in_order(members) } else { members.iter().collect() };
+                let members =
+                    if at.depth == 0 { in_order(members) } else { members.iter().collect() };
                 (members.into_iter().map(|it| (Some(it), &it.value)).collect(), "{", "}")
             }
             // A leaf longer than a line is still one line.
@@ -55,35 +81,35 @@ impl Layout<'_> {
         };
         self.text.push_str(open);
         let of_leaves = |value: &Value| matches!(&value.kind, ValueKind::Array(elements) if elements.iter().all(is_leaf));
-        if depth < 2 && !of_leaves(value) {
-            self.list(&elements, depth);
-            self.break_line(depth);
+        if (at.level < 2 || at.level == PHENOMENA) && !of_leaves(value) {
+            self.list(&elements, at);
+            self.break_line(at.depth);
             self.text.push_str(close);
         } else {
             let close = if close == "}" { " }" } else { close };
             if open == "{" {
                 self.text.push(' ');
             }
-            self.fill(&elements, depth, after + close.len());
+            self.fill(&elements, at, after + close.len());
             self.text.push_str(close);
         }
     }
 
     /// A line for each element.
-    fn list(&mut self, elements: &[Element<'_>], depth: usize) {
+    fn list(&mut self, elements: &[Element<'_>], within: At) {
         for (at, element) in elements.iter().enumerate() {
             if at > 0 {
                 self.text.push(',');
                 self.keep_blank_line(elements[at - 1], *element);
             }
-            self.break_line(depth + 1);
-            self.element(*element, depth, usize::from(at + 1 < elements.len()));
+            self.break_line(within.depth + 1);
+            self.element(*element, within, usize::from(at + 1 < elements.len()));
         }
     }
 
     /// As many elements on a line as fit; the first stays on the line of the bracket. After an
     /// element of several lines the next one starts its own, where it is seen.
-    fn fill(&mut self, elements: &[Element<'_>], depth: usize, after: usize) {
+    fn fill(&mut self, elements: &[Element<'_>], within: At, after: usize) {
         let mut line = self.line;
         for (at, element) in elements.iter().enumerate() {
             let after = if at + 1 < elements.len() { 1 } else { after };
@@ -93,20 +119,20 @@ impl Layout<'_> {
                 if !blank && self.line == line && self.fits(*element, after) {
                     self.text.push(' ');
                 } else {
-                    self.break_line(depth + 1);
+                    self.break_line(within.depth + 1);
                 }
             }
             line = self.line;
-            self.element(*element, depth, after);
+            self.element(*element, within, after);
         }
     }
 
-    fn element(&mut self, (member, value): Element<'_>, depth: usize, after: usize) {
+    fn element(&mut self, (member, value): Element<'_>, within: At, after: usize) {
         if let Some(member) = member {
             self.text.push_str(&string(&member.key));
             self.text.push_str(": ");
         }
-        self.write(value, depth + 1, after);
+        self.write(value, within.within(member), after);
     }
 
     /// Whether a space, an element and `after` characters fit on the line.
@@ -233,6 +259,14 @@ mod tests {
             format(text),
             "{\n  \"b\": 1.50e+2,\n  \"a\": [],\n  \"doc\": \"éé\\n\\u0001\",\n  \"editor\": { \"x\": -0.0 }\n}\n"
         );
+    }
+
+    #[test]
+    fn phenomena_in_a_file_are_laid_out_as_files() {
+        let text = "{\"phenomenon\":\"a\",\"phenomena\":{\"b\":{\"phenomena\":{\"c\":{}},\"nodes\":{\"n\":{\"type\":\"mix\"},\"m\":{\"type\":\"mix\",\"inputs\":{}}},\"outputs\":{\"x\":{\"type\":\"scalar\",\"from\":{\"node\":\"n\"}}}}},\"nodes\":{}}";
+        let form = "{\n  \"phenomenon\": \"a\",\n  \"phenomena\": {\n    \"b\": {\n      \"phenomena\": {\n        \"c\": {}\n      },\n      \"nodes\": {\n        \"n\": { \"type\": \"mix\" },\n        \"m\": { \"type\": \"mix\", \"inputs\": {} }\n      },\n      \"outputs\": {\n        \"x\": { \"type\": \"scalar\", \"from\": { \"node\": \"n\" } }\n      }\n    }\n  },\n  \"nodes\": {}\n}\n";
+        assert_eq!(format(text), form);
+        assert_eq!(format(form), form);
     }
 
     #[test]

@@ -27,6 +27,8 @@ pub struct Graph {
     pub nodes: Vec<Node>,
     /// Roots, at most one for each shader type.
     pub roots: Vec<Root>,
+    /// Values it offers where it is a node, beside that of its root, in file order.
+    pub outputs: Vec<Output>,
     /// Inputs that are never evaluated, as literals and the ranges of parameters prove: positions of a
     /// node and of one of its inputs, ascending. For those who look at the graph; engines find out by
     /// themselves.
@@ -94,6 +96,19 @@ pub struct Root {
     pub color: Binding,
     /// A boolean, false for mental ray's miFALSE; [`Binding::Default`] means always true.
     pub ok: Binding,
+}
+
+/// A value that a phenomenon offers where it is a node.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Its name.
+    pub name: String,
+    /// Its doc.
+    pub doc: String,
+    /// Its type.
+    pub value_type: Type,
+    /// Where it comes from; converted as [`Type::converts_to`] allows.
+    pub value: Binding,
 }
 
 impl Parameter {

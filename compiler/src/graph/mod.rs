@@ -9,7 +9,7 @@ mod root_kind;
 mod with_root;
 
 pub use bind::BindError;
-pub use checked::{Binding, Graph, Node, Parameter, Root};
+pub use checked::{Binding, Graph, Node, Output, Parameter, Root};
 pub use requirements::Requirements;
 pub use root_kind::RootKind;
 pub use with_root::WithRootError;

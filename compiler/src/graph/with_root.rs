@@ -59,12 +59,39 @@ impl Graph {
     /// # Errors
     /// The output has no value outside a light loop, or is no value at all.
     pub fn with_root(&self, node: usize, output: usize) -> Result<Graph, WithRootError> {
-        if self.reads_light_sample(node, output) {
+        let signature = self.library.signature(self.nodes[node].node_type);
+        let names = (&*self.nodes[node].name, &*signature.outputs[output].name);
+        self.looked_at(Binding::Node { node, output }, self.output_type(node, output), names)
+    }
+
+    /// The same of a value the phenomenon offers, by its position in [`Graph::outputs`].
+    ///
+    /// # Errors
+    /// As for [`Graph::with_root`].
+    pub fn with_output(&self, at: usize) -> Result<Graph, WithRootError> {
+        let output = &self.outputs[at];
+        let value = match &output.value {
+            Binding::Literal(literal) if literal.value_type().converts_to(Type::Color) => {
+                Binding::Literal(literal.converted_to(Type::Color).unwrap_or(literal.clone()))
+            }
+            other => other.clone(),
+        };
+        self.looked_at(value, output.value_type, (&self.name, &output.name))
+    }
+
+    fn looked_at(
+        &self,
+        value: Binding,
+        value_type: Type,
+        (of, name): (&str, &str),
+    ) -> Result<Graph, WithRootError> {
+        if let Binding::Node { node, output } = value
+            && self.reads_light_sample(node, output)
+        {
             return Err(WithRootError::InsideLightLoop { node: self.nodes[node].name.clone() });
         }
         let mut graph = self.clone();
-        let value = Binding::Node { node, output };
-        let color = match self.output_type(node, output) {
+        let color = match value_type {
             Type::Color | Type::Scalar | Type::Integer => value,
             Type::Vector => {
                 let split = graph.append("split_vector", None, vec![value])?;
@@ -85,12 +112,10 @@ impl Graph {
             | Type::Light
             | Type::Lights
             | Type::Generic => {
-                let other = self.output_type(node, output);
-                let signature = self.library.signature(self.nodes[node].node_type);
                 return Err(WithRootError::NotAValue {
-                    node: self.nodes[node].name.clone(),
-                    output: signature.outputs[output].name.to_string(),
-                    type_name: other.name(),
+                    node: of.to_owned(),
+                    output: name.to_owned(),
+                    type_name: value_type.name(),
                 });
             }
         };

@@ -4,14 +4,16 @@ use serde_json::{Map, Value, json};
 
 use super::parts::{described, object, reference};
 use super::sections::Sections;
-use crate::check::{MAX_SHADERS, keys};
-use crate::document::{Given, Key};
+use crate::check::{MAX_OUTPUTS, MAX_SHADERS, keys};
+use crate::document::{Given, Key, Section};
 use crate::nodes::{DefaultValue, Input, NodeLibrary, Signature};
-use crate::values::Type;
+use crate::values::{ColorSpace, Type};
 
 /// Adds the definition `graph` of graph files, and what it needs.
 pub fn define_graph(library: &NodeLibrary, definitions: &mut Map<String, Value>) {
-    definitions.insert("graph".into(), SECTIONS.schema(&keys::PHENOMENON));
+    definitions.insert("graph".into(), called_for(&keys::PHENOMENON));
+    definitions.insert("phenomena".into(), called_for(&keys::INNER));
+    definitions.insert("output".into(), output());
     definitions
         .insert("name".into(), json!({ "type": "string", "pattern": NAME, "maxLength": 256 }));
     definitions.insert("parameter".into(), declaration(true));
@@ -55,7 +57,10 @@ fn sources(definitions: &mut Map<String, Value>) {
         ("boolean", vec![json!({ "type": "boolean" })]),
         ("integer", vec![integer]),
         ("scalar", vec![number_here.clone()]),
-        ("color", vec![number_here.clone(), list(3, 4)]),
+        (
+            "color",
+            [vec![number_here.clone(), list(3, 4)], vec![reference("color_of_space")]].concat(),
+        ),
         ("vector", vec![list(3, 3)]),
         ("transform", vec![list(16, 16)]),
         ("string", vec![text]),
@@ -63,7 +68,7 @@ fn sources(definitions: &mut Map<String, Value>) {
         ("light", vec![light.clone()]),
         ("lights", vec![json!({ "type": "array", "items": light })]),
         ("shader", vec![null]),
-        ("generic", vec![number_here, list(3, 4)]),
+        ("generic", vec![number_here, list(3, 4), reference("color_of_space")]),
     ] {
         definitions.insert(format!("{name}_literal"), json!({ "anyOf": literal }));
         let own = json!({ "$ref": format!("#/definitions/{name}_literal") });
@@ -73,6 +78,7 @@ fn sources(definitions: &mut Map<String, Value>) {
         let list = json!({ "anyOf": [values, reference("connection")] });
         definitions.insert(format!("{name}_list"), list);
     }
+    definitions.insert("color_of_space".into(), json!({ "anyOf": colors() }));
     definitions.insert("number".into(), number);
     definitions.insert("connection".into(), connection);
 }
@@ -127,6 +133,48 @@ fn declaration_of(name: &str, with_default: bool) -> Value {
     })
 }
 
+/// A phenomenon, which has roots or outputs.
+fn called_for(section: &Section) -> Value {
+    let mut phenomenon = SECTIONS.schema(section);
+    phenomenon["properties"]["outputs"]["minProperties"] = json!(1);
+    phenomenon["properties"]["outputs"]["maxProperties"] = json!(MAX_OUTPUTS);
+    phenomenon["anyOf"] = json!([{ "required": ["roots"] }, { "required": ["outputs"] }]);
+    phenomenon
+}
+
+/// An output, whose value is of its type.
+fn output() -> Value {
+    let mut output = SECTIONS.schema(&keys::OUTPUT);
+    let of_type = |value_type: Type| {
+        let name = value_type.name();
+        json!({
+            "if": { "properties": { "type": { "const": name } }, "required": ["type"] },
+            "then": { "properties": { "from": reference(name) } },
+        })
+    };
+    output["properties"]["from"] = json!({
+        "description": output["properties"]["from"]["description"],
+    });
+    output["allOf"] = Value::Array(Type::COMPUTED.map(of_type).into());
+    output
+}
+
+/// Colours of other spaces, an object for each.
+fn colors() -> Vec<Value> {
+    let numbers = json!([reference("number"), { "type": "array", "items": reference("number"), "minItems": 3, "maxItems": 4 }]);
+    let share = json!({ "type": "number", "minimum": 0, "maximum": 1 });
+    let encoded = json!([
+        { "type": "string", "pattern": "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{4}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})$" },
+        share,
+        { "type": "array", "items": share, "minItems": 3, "maxItems": 4 },
+    ]);
+    let of_space = |space: ColorSpace| {
+        let given = if space.is_encoded() { &encoded } else { &numbers };
+        object(&[space.name], json!({ (space.name): { "anyOf": given } }))
+    };
+    ColorSpace::ALL.map(of_space).into()
+}
+
 fn roots() -> Value {
     let mut roots = SECTIONS.schema(&keys::ROOTS);
     roots["minProperties"] = json!(1);
@@ -178,6 +226,7 @@ fn node(library: &NodeLibrary) -> Value {
         "anyOf": [
             { "enum": names, "enumDescriptions": docs },
             object(&["file"], json!({ "file": { "type": "string", "minLength": 1 } })),
+            object(&["phenomenon"], json!({ "phenomenon": reference("name") })),
         ],
         "description": properties["type"]["description"],
     });

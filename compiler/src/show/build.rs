@@ -1,6 +1,6 @@
 //! The diagram of a graph.
 
-use crate::graph::{Binding, Graph, Root};
+use crate::graph::{Binding, Graph, Output, Root};
 use crate::nodes::{DefaultValue, Definition, Input};
 use crate::values::Type;
 
@@ -12,7 +12,8 @@ use super::values::{self, Value};
 
 /// What is drawn of `graph`, unless that would be more than `limit` cards.
 pub(super) fn diagram(graph: &Graph, limit: usize) -> Result<Diagram<'_>, ShowError> {
-    let boxes = graph.parameters.len() + graph.nodes.len() + graph.roots.len();
+    let ends = graph.roots.len() + graph.outputs.len();
+    let boxes = graph.parameters.len() + graph.nodes.len() + ends;
     if boxes > limit {
         return Err(ShowError::TooManyBoxes { boxes, limit });
     }
@@ -47,6 +48,26 @@ fn inconsistent(place: &str, problem: &str) -> ShowError {
     ShowError::Inconsistent { place: place.to_owned(), problem: problem.to_owned() }
 }
 
+/// A card at the right.
+fn end_card<'a>(
+    title: &'a str,
+    subtitle: &'a str,
+    doc: &'a str,
+    inputs: Vec<InputSocket>,
+) -> Card<'a> {
+    Card {
+        role: Role::Root,
+        title,
+        subtitle,
+        doc,
+        badge: None,
+        dead: None,
+        value: None,
+        inputs,
+        outputs: Vec::new(),
+    }
+}
+
 struct Builder<'a> {
     graph: &'a Graph,
     definitions: Vec<&'a Definition>,
@@ -71,6 +92,9 @@ impl<'a> Builder<'a> {
             require(root.kind.name(), &root.color)?;
             require(root.kind.name(), &root.ok)?;
         }
+        for output in &self.graph.outputs {
+            require(&output.name, &output.value)?;
+        }
         Ok(())
     }
 
@@ -81,6 +105,7 @@ impl<'a> Builder<'a> {
         cards.extend((0..parameters).map(|at| self.parameter_card(at)));
         cards.extend((0..nodes).map(|at| self.node_card(at)));
         cards.extend(self.graph.roots.iter().map(|root| self.root_card(root)));
+        cards.extend(self.graph.outputs.iter().map(|output| self.output_card(output)));
         let mut diagram =
             Diagram { name: &self.graph.name, cards, wires: Vec::new(), parameters, nodes };
         self.connect(&mut diagram);
@@ -124,8 +149,22 @@ impl<'a> Builder<'a> {
     }
 
     fn root_card(&self, root: &Root) -> Card<'a> {
-        let socket = |name, value_type, binding: &Binding| InputSocket {
-            name,
+        let mut inputs = vec![self.end("color", Type::Color, &root.color)];
+        if root.ok != Binding::Default {
+            inputs.push(self.end("ok", Type::Boolean, &root.ok));
+        }
+        end_card(root.kind.name(), "root", "", inputs)
+    }
+
+    fn output_card(&self, output: &'a Output) -> Card<'a> {
+        let value = self.end("value", output.value_type, &output.value);
+        end_card(&output.name, "output", &output.doc, vec![value])
+    }
+
+    /// What a root or an output reads.
+    fn end(&self, name: &'static str, value_type: Type, binding: &Binding) -> InputSocket {
+        InputSocket {
+            name: name.into(),
             value_type,
             guarded: false,
             scoped: false,
@@ -134,21 +173,6 @@ impl<'a> Builder<'a> {
                 Some(given) => given,
                 None => Given::Default(Value::plain("true")),
             },
-        };
-        let mut inputs = vec![socket("color".into(), Type::Color, &root.color)];
-        if root.ok != Binding::Default {
-            inputs.push(socket("ok".into(), Type::Boolean, &root.ok));
-        }
-        Card {
-            role: Role::Root,
-            title: root.kind.name(),
-            subtitle: "root",
-            doc: "",
-            badge: None,
-            dead: None,
-            value: None,
-            inputs,
-            outputs: Vec::new(),
         }
     }
 
@@ -203,6 +227,10 @@ impl<'a> Builder<'a> {
         for (at, root) in self.graph.roots.iter().enumerate() {
             ends.push(((first_root + at, 0), &root.color));
             ends.push(((first_root + at, 1), &root.ok));
+        }
+        let first_output = first_root + self.graph.roots.len();
+        for (at, output) in self.graph.outputs.iter().enumerate() {
+            ends.push(((first_output + at, 0), &output.value));
         }
         let used = self.used_outputs(&ends);
         for (at, used) in used.iter().enumerate() {

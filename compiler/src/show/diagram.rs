@@ -5,7 +5,8 @@ use crate::values::{Name, Type};
 use super::implied::{Badge, Implied};
 use super::values::Value;
 
-/// All that is drawn of a graph: its parameters first, then its nodes, then its roots.
+/// All that is drawn of a graph: its parameters first, then its nodes, then its roots, then its
+/// outputs.
 pub(super) struct Diagram<'a> {
     /// Name of the graph.
     pub name: &'a str,

@@ -1,6 +1,6 @@
 //! Why a graph cannot be drawn.
 
-/// Most boxes (parameters, nodes and roots) of an SVG. Larger drawings can be neither read nor
+/// Most boxes (parameters, nodes, roots and outputs) of an SVG. Larger drawings can be neither read nor
 /// opened; DOT has no limit.
 pub const MAX_BOXES: usize = 5_000;
 
@@ -9,7 +9,7 @@ pub const MAX_BOXES: usize = 5_000;
 pub enum ShowError {
     /// More boxes than [`MAX_BOXES`].
     #[error(
-        "the graph has {boxes} boxes (parameters, nodes and roots), more than the {limit} an SVG is \
+        "the graph has {boxes} boxes (parameters, nodes, roots and outputs), more than the {limit} an SVG is \
          drawn of"
     )]
     TooManyBoxes {

@@ -1,10 +1,12 @@
-//! What graphs hold: types, literals and pictures. Every other room speaks these words.
+//! What graphs hold: types, literals, pictures and spaces of colours. Every other room speaks these words.
 
+mod color_space;
 mod literal;
 mod name;
 mod texture;
 mod types;
 
+pub use color_space::ColorSpace;
 pub use literal::Literal;
 pub use name::Name;
 pub use texture::{Space, Texture};

@@ -57,6 +57,10 @@ impl Type {
         }
     }
 
+    /// The types whose values nodes compute.
+    pub const COMPUTED: [Type; 6] =
+        [Type::Scalar, Type::Integer, Type::Boolean, Type::Color, Type::Vector, Type::Transform];
+
     /// What [`Type::Generic`] may stand for.
     pub const GENERIC: [Type; 3] = [Type::Scalar, Type::Vector, Type::Color];
 

@@ -1,9 +1,11 @@
 //! What the language says beyond single values, and that engines run it: arrays, structs, strings,
 //! textures, transforms, shaders, and lists of shaders in roots.
 
+mod components;
 mod compounds;
 mod files;
 mod known_before;
+mod outputs;
 mod shaders;
 mod shading;
 mod uniform_values;

@@ -75,6 +75,15 @@ impl NodePath {
         Some((object.to_owned(), NodePath(node.to_owned())))
     }
 
+    /// Position of the output of the phenomenon it names, for want of a node called so.
+    pub fn find_output(&self, graph: &Graph) -> Option<usize> {
+        let Self(path) = self;
+        match graph.nodes.iter().any(|node| node.name == *path) {
+            true => None,
+            false => graph.outputs.iter().position(|output| output.name == *path),
+        }
+    }
+
     /// Positions of the node and of the output, where one is named.
     ///
     /// # Errors
@@ -92,9 +101,15 @@ impl NodePath {
         };
         let Some(node) = position(name) else {
             let names = || graph.nodes.iter().map(|node| node.name.as_str());
-            let help = match nearest(name, names()) {
+            let outputs: Vec<&str> = graph.outputs.iter().map(|it| it.name.as_str()).collect();
+            let help = match nearest(name, names().chain(outputs.iter().copied())) {
                 Some(near) => near.help(),
-                None => format!("its nodes are {}", some_of(names())),
+                None if outputs.is_empty() => format!("its nodes are {}", some_of(names())),
+                None => format!(
+                    "its outputs are {}, its nodes {}",
+                    some_of(outputs.iter().copied()),
+                    some_of(names())
+                ),
             };
             return Err(NoSuchNode::Node { graph: graph.name.clone(), node: name.into(), help });
         };

@@ -30,6 +30,8 @@ pub enum Note {
         graph: String,
         /// The roots it has.
         roots: Vec<RootKind>,
+        /// The outputs it has.
+        outputs: Vec<String>,
     },
     /// It lacks the root that is called, and what it is used for is black.
     Black {
@@ -66,7 +68,8 @@ impl Note {
             return None;
         }
         let roots = graph.roots.iter().map(|root| root.kind).collect();
-        Some(Note::Unseen { graph: graph.name.clone(), roots })
+        let outputs = graph.outputs.iter().map(|output| output.name.clone()).collect();
+        Some(Note::Unseen { graph: graph.name.clone(), roots, outputs })
     }
 }
 
@@ -84,12 +87,17 @@ impl fmt::Display for Note {
                 "`{graph}` requires {}, which this renderer does not do",
                 requirements.join(", ")
             ),
-            Note::Unseen { graph, roots } => {
+            Note::Unseen { graph, roots, outputs } => {
                 write!(
                     f,
                     "nothing is seen of `{graph}`, for it has neither a material nor an environment root; "
                 )?;
                 match roots.as_slice() {
+                    [] if !outputs.is_empty() => write!(
+                        f,
+                        "`--node` shows one of its outputs: {}",
+                        listed(outputs.iter().map(String::as_str))
+                    ),
                     [] => f.write_str("it has no roots at all"),
                     roots => {
                         write!(f, "its roots are {}", listed(roots.iter().map(|kind| kind.name())))

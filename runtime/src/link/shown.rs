@@ -5,14 +5,19 @@ use phenomenon_compiler::graph::{Graph, RootKind};
 use super::error::ShowNodeError;
 use super::node_path::NodePath;
 
-/// The graph with one of its nodes for the root that is called.
+/// The graph with one of its nodes, or one of its outputs, for the root that is called.
 ///
 /// # Errors
-/// There is no such node, or it has no value to look at.
+/// There is no such node or output, or it has no value to look at.
 pub fn shown_node(graph: &Graph, path: &NodePath, root: RootKind) -> Result<Graph, ShowNodeError> {
-    let (node, output) =
-        path.find(graph).map_err(|error| ShowNodeError::Missing { path: path.clone(), error })?;
-    let mut shown = graph.with_root(node, output.unwrap_or(0))?;
+    let mut shown = match path.find_output(graph) {
+        Some(output) => graph.with_output(output)?,
+        None => {
+            let missing = |error| ShowNodeError::Missing { path: path.clone(), error };
+            let (node, output) = path.find(graph).map_err(missing)?;
+            graph.with_root(node, output.unwrap_or(0))?
+        }
+    };
     if root != RootKind::Material
         && let Some(mut looked_at) = shown.roots.pop()
     {

@@ -33,7 +33,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FIELD=VALUE", value_parser = arguments::assignment)]
     state: Vec<TextValue>,
 
-    /// Evaluate this node instead of a root: all of its outputs, or the one named
+    /// Evaluate this node instead of a root: all of its outputs, or the one named; or an output of the graph
     #[arg(long, value_name = "NODE[.OUTPUT]", value_parser = NodePath::read)]
     node: Option<NodePath>,
 

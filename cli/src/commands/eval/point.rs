@@ -29,10 +29,12 @@ impl Point<'_> {
     pub fn root(&self, graph: &Graph, kind: RootKind) -> Result<Evaluation, Failure> {
         let Some(root) = graph.root(kind) else {
             let names: Vec<&str> = graph.roots.iter().map(|root| root.kind.name()).collect();
-            return Err(Failure::new(
-                format!("--root {}: `{}` has no such root", kind.name(), graph.name),
-                format!("its roots: {}; `--node` evaluates a node", names.join(", ")),
-            ));
+            let help = match names.as_slice() {
+                [] => "it has outputs alone; `--node` evaluates one of them, or a node".into(),
+                names => format!("its roots: {}; `--node` evaluates a node", names.join(", ")),
+            };
+            let message = format!("--root {}: `{}` has no such root", kind.name(), graph.name);
+            return Err(Failure::new(message, help));
         };
         let name = match &root.color {
             Binding::Node { node, output } => self.name(graph, *node, *output),
@@ -52,6 +54,9 @@ impl Point<'_> {
     /// # Errors
     /// The graph has no such node, it has no value, or it cannot be run.
     pub fn node(&self, graph: &Graph, path: &NodePath) -> Result<Evaluation, Failure> {
+        if let Some(output) = path.find_output(graph) {
+            return self.output(graph, output);
+        }
         let (node, output) = path.find(graph).map_err(|error| {
             graphs::not_shown(&ShowNodeError::Missing { path: path.clone(), error })
         })?;
@@ -69,6 +74,17 @@ impl Point<'_> {
             let value_type = graph.output_type(node, output);
             evaluation.add(self.name(graph, node, output), value_type, shaded.color);
         }
+        Ok(evaluation)
+    }
+
+    /// The value of an output of the phenomenon.
+    fn output(&self, graph: &Graph, at: usize) -> Result<Evaluation, Failure> {
+        let mut alone = graph.with_output(at).map_err(|error| graphs::not_shown(&error.into()))?;
+        alone.roots.retain(|root| root.kind == RootKind::Material);
+        let shaded = self.shade(alone, RootKind::Material)?;
+        let mut evaluation = Evaluation::default();
+        let output = &graph.outputs[at];
+        evaluation.add(output.name.clone(), output.value_type, shaded.color);
         Ok(evaluation)
     }
 

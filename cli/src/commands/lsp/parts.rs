@@ -38,7 +38,12 @@ pub fn parts_of(
     if let Some(name) = written.or(known.and_then(|member| text(&member.value, "type"))) {
         return library.find(name).map(|node_type| of_signature(library.signature(node_type)));
     }
-    let named = text(known?.value.get("type")?, "file")?;
+    let node_type = known?.value.get("type")?;
+    if let Some(named) = text(node_type, "phenomenon") {
+        let document = inner(file.document.as_ref()?, named)?;
+        return Some(of_phenomenon(&document, named));
+    }
+    let named = text(node_type, "file")?;
     phenomenon(file, named, files).map(|document| of_phenomenon(&document, named))
 }
 
@@ -59,7 +64,17 @@ pub fn parts_of_node(
 /// The phenomenon the node called `name` is, in the file as it was JSON last.
 pub fn phenomenon_of(file: &OpenFile, name: &str, files: &OpenFiles) -> Option<Document> {
     let node = members(file, "nodes").iter().find(|member| member.key == name)?;
-    phenomenon(file, text(node.value.get("type")?, "file")?, files)
+    let node_type = node.value.get("type")?;
+    match text(node_type, "phenomenon") {
+        Some(named) => inner(file.document.as_ref()?, named),
+        None => phenomenon(file, text(node_type, "file")?, files),
+    }
+}
+
+/// A phenomenon that stands in the file itself.
+fn inner(document: &Document, named: &str) -> Option<Document> {
+    let root = document.root.get("phenomena")?.get(named)?.clone();
+    Some(Document { file: document.file.clone(), root })
 }
 
 /// A phenomenon by the path a file names it with.
@@ -98,22 +113,39 @@ fn of_signature(signature: &Signature) -> Parts {
 /// The parts of a phenomenon, as far as its file is understood: it may be in the making, too.
 fn of_phenomenon(document: &Document, named: &str) -> Parts {
     let root = &document.root;
+    Parts {
+        title: format!("**{}** ({named})", text(root, "phenomenon").unwrap_or(named)),
+        doc: text(root, "doc").unwrap_or_default().into(),
+        source: String::new(),
+        inputs: parameters(document),
+        outputs: outputs_of(root),
+    }
+}
+
+/// What a phenomenon offers: the value of its root, and what it declares.
+fn outputs_of(root: &Value) -> Vec<Part> {
     let output = |name: &str, of: &str, doc: &str| Part {
         name: name.into(),
         of: of.into(),
         doc: doc.into(),
         choices: Vec::new(),
     };
-    Parts {
-        title: format!("**{}** ({named})", text(root, "phenomenon").unwrap_or_default()),
-        doc: text(root, "doc").unwrap_or_default().into(),
-        source: String::new(),
-        inputs: parameters(document),
-        outputs: vec![
+    let mut outputs = match (root.get("roots"), root.get("outputs")) {
+        (None, Some(_)) => Vec::new(),
+        _ => vec![
             output("color", "color", "The value of its root."),
             output("ok", "boolean", "Whether its root yields a value at all."),
         ],
+    };
+    for member in root.get("outputs").map_or(&[][..], Value::members) {
+        let of = text(&member.value, "type").unwrap_or_default();
+        let declared = output(&member.key, of, text(&member.value, "doc").unwrap_or_default());
+        match outputs.iter_mut().find(|known| known.name == member.key) {
+            Some(known) => *known = declared,
+            None => outputs.push(declared),
+        }
     }
+    outputs
 }
 
 /// The members of a part of the file, as it was JSON last.

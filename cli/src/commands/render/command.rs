@@ -59,7 +59,7 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME=VALUE", value_parser = arguments::assignment)]
     set: Vec<TextValue>,
 
-    /// Show this node of the graph, a vector as red, green and blue, a truth value as white or black;
+    /// Show this node of the graph, or this output of it, a vector as red, green and blue, a truth value as white or black;
     /// in a scene OBJECT:NODE
     #[arg(long, value_name = "NODE[.OUTPUT]", value_parser = NodePath::read)]
     node: Option<NodePath>,

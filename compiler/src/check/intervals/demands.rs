@@ -48,7 +48,7 @@ pub fn conditions(
     guards: &Guards,
 ) -> Vec<u64> {
     let mut conditions: Vec<Option<u64>> = vec![None; slots.count()];
-    for source in draft.roots.iter().flat_map(|root| root.sources()) {
+    for source in draft.called() {
         if let SourceKind::Node(node, _) = source.kind {
             conditions[node] = Some(0);
         }
