@@ -9,7 +9,7 @@ use phenomenon_compiler::diagnostics::{Code, Finding, Severity};
 use phenomenon_compiler::document::all_mistakes;
 use phenomenon_compiler::engine::jit::JitError;
 use phenomenon_compiler::engine::{Engine, Options, Shader, ShaderError};
-use phenomenon_compiler::graph::Graph;
+use phenomenon_compiler::graph::{Graph, NoSuchPreset};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::values::Literal;
 use phenomenon_runtime::link::{ShowNodeError, TextValue, ValueError, ValueFault, bind_texts};
@@ -110,12 +110,26 @@ pub fn unusable(path: &Path) -> Failure {
     )
 }
 
-/// Binds `--set` to the parameters of a graph.
+/// The values of `--set`, and those of `--preset` for the other parameters of a graph.
 ///
 /// # Errors
-/// There is no such parameter, it is set twice, or the value does not suit it.
-pub fn bind(graph: &Graph, set: &[TextValue]) -> Result<Vec<(String, Literal)>, Failure> {
-    bind_texts(graph, set).map_err(|error| bad_value("", &error))
+/// There is no such parameter, it is set twice, or the value does not suit it; or no such preset.
+pub fn bind(
+    graph: &Graph,
+    preset: Option<&str>,
+    set: &[TextValue],
+) -> Result<Vec<(String, Literal)>, Failure> {
+    let set = bind_texts(graph, set).map_err(|error| bad_value("", &error))?;
+    let Some(preset) = preset else { return Ok(set) };
+    match graph.preset(preset) {
+        Ok(preset) => Ok(preset.with(set)),
+        Err(error) => Err(no_preset("", &error)),
+    }
+}
+
+/// The failure of a `--preset`; `object` stands before the name on the command line.
+pub fn no_preset(object: &str, error: &NoSuchPreset) -> Failure {
+    Failure::new(format!("--preset {object}{}: {error}", error.name), &error.advice.help)
 }
 
 /// The failure of a `--set`; `object` stands before the name on the command line: `floor:`, or nothing.

@@ -1,5 +1,5 @@
-//! What the command line changes about the graphs a scene uses: `--set OBJECT:PARAMETER=VALUE` and
-//! `--node OBJECT:NODE[.OUTPUT]`.
+//! What the command line changes about the graphs a scene uses: `--set OBJECT:PARAMETER=VALUE`,
+//! `--preset OBJECT:PRESET` and `--node OBJECT:NODE[.OUTPUT]`.
 
 use phenomenon_runtime::link::{Change, Changes, NoSuchUse, TextValue, objects_in_words};
 use phenomenon_runtime::scene_file::SceneDescription;
@@ -21,6 +21,17 @@ pub fn mark(scene: &mut SceneDescription, flags: &Flags<'_>) -> Result<Changes, 
         };
         let change = change_of(scene, &mut changes, object, &flag)?;
         change.set.push(TextValue { name: parameter.to_owned(), value: value.clone() });
+    }
+    for preset in flags.preset {
+        let flag = format!("--preset {preset}");
+        let Some((object, name)) = preset.rsplit_once(':') else {
+            return Err(names_no_object(scene, &flag, "OBJECT:PRESET"));
+        };
+        let change = change_of(scene, &mut changes, object, &flag)?;
+        if change.preset.replace(name.to_owned()).is_some() {
+            let message = format!("{flag}: the object has a preset already");
+            return Err(Failure::new(message, "leave one of them out"));
+        }
     }
     if let Some(node) = flags.node {
         let flag = format!("--node {node}");

@@ -10,6 +10,8 @@ use phenomenon_runtime::link::{NodePath, TextValue};
 pub struct Flags<'a> {
     /// `--set`.
     pub set: &'a [TextValue],
+    /// `--preset`.
+    pub preset: &'a [String],
     /// `--node`.
     pub node: Option<&'a NodePath>,
     /// `--scene`.

@@ -186,7 +186,15 @@ fn subject(
     let told = Told { allow: flags.allow };
     let graph = told.checked(path, check_graph(&document, library))?;
     let document = Arc::new(document);
-    let values = graphs::bind(&graph, flags.set)?;
+    let preset = match flags.preset {
+        [] => None,
+        [preset] => Some(preset.as_str()),
+        [_, again, ..] => {
+            let message = format!("--preset {again}: a graph has one preset at a time");
+            return Err(Failure::new(message, "leave the others out; --set changes single values"));
+        }
+    };
+    let values = graphs::bind(&graph, preset, flags.set)?;
     Note::idle(&graph).iter().for_each(tell_note);
     let graph = match flags.node {
         Some(_) if engine.engine == EngineChoice::Monolith => {

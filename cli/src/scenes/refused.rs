@@ -22,6 +22,7 @@ pub fn refused(path: &Path, error: LinkError) -> Failure {
              or name the file of a graph instead of `subject`",
         ),
         LinkError::Value { object, error } => graphs::bad_value(&format!("{object}:"), &error),
+        LinkError::Preset { object, error } => graphs::no_preset(&format!("{object}:"), &error),
         LinkError::Node(error) => graphs::not_shown(&error),
         LinkError::Compile { graph, error } => graphs::not_compiled(&graph, &error),
         LinkError::ByHand(NoMonolith::NotWritten(error)) => {

@@ -132,3 +132,37 @@ fn a_graph_with_mistakes_shows_them() {
     refused(&["eval", &folder.path("")], &[]);
     assert_eq!(run(&["eval", &folder.file("empty.json", "")]).code, Some(2));
 }
+
+#[test]
+fn presets_and_outputs_are_evaluated_by_name() {
+    let folder = Folder::new();
+    let graph = folder.file(
+        "waves.json",
+        r##"{ "phenomenon": "waves",
+          "interface": { "tint": { "type": "color", "default": 1 }, "height": { "type": "scalar", "default": 2 } },
+          "presets": { "low": { "height": 0.5, "tint": { "srgb": "#f00" } } },
+          "outputs": { "tint": { "type": "color", "from": { "interface": "tint" } },
+                       "up": { "type": "vector", "from": [0, 0, 1] },
+                       "height": { "type": "scalar", "from": { "interface": "height" } } } }"##,
+    );
+    let height = values(&[&graph, "--node", "height"]);
+    assert_eq!(height["values"], serde_json::json!({ "height": [2.0] }));
+    let low = values(&[&graph, "--node", "height", "--preset", "low"]);
+    assert_eq!(low["values"], serde_json::json!({ "height": [0.5] }));
+    let set = values(&[&graph, "--node", "tint", "--preset", "low", "--set", "tint=0,1,0"]);
+    assert_eq!(set["values"], serde_json::json!({ "tint": [0.0, 1.0, 0.0, 1.0] }));
+    let json = values(&[&graph, "--node", "tint", "--set", r##"tint={ "srgb": "#00f" }"##]);
+    assert_eq!(json["values"], serde_json::json!({ "tint": [0.0, 0.0, 1.0, 1.0] }));
+    let up = values(&[&graph, "--node", "up"]);
+    assert_eq!(up["values"], serde_json::json!({ "up": [0.0, 0.0, 1.0] }));
+    let unknown = ["did you mean `low`?", "its presets are `low`", "`waves` has no preset `lwo`"];
+    refused(&["eval", &graph, "--node", "up", "--preset", "lwo"], &unknown);
+    refused(&["eval", &graph], &["`waves` has no such root", "it has outputs alone"]);
+    refused(&["eval", &graph, "--node", "hieght"], &["did you mean `height`?"]);
+    let scene = "scenes/default.json";
+    refused(&["render", scene, "--preset", "low", "-o", "x.png"], &["OBJECT:PRESET"]);
+    refused(
+        &["render", scene, "--preset", "floor:dark", "-o", "x.png"],
+        &["--preset floor:dark: `checker_floor` has no preset `dark`; it has no presets at all"],
+    );
+}

@@ -92,3 +92,18 @@ fn nodes_are_found_by_words_and_by_what_others_call_them() {
     refused(&["nodes", "mix", "--search", "lerp"], &["--search"]);
     refused(&["nodes", "--search"], &["--search"]);
 }
+
+#[test]
+fn a_file_is_told_as_the_node_it_is() {
+    let text = printed(&["nodes", "graphs/painted/ripples.json"]);
+    assert!(
+        text.starts_with("ripples(trough, crest, steepness, ambient) -> color, ok, height, normal")
+    );
+    assert!(text.contains("  height: scalar\n      of both waves"), "{text}");
+    assert!(text.contains("\nPresets\n  calm: steepness = 0.1\n"), "{text}");
+    let json = printed(&["nodes", "graphs/painted/ripples.json", "--format", "json"]);
+    let told: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(told["node"]["outputs"][2]["name"], "height");
+    assert_eq!(told["presets"]["calm"]["steepness"], 0.1);
+    refused(&["nodes", "graphs/painted/ripple.json"], &["graphs/painted/ripple.json"]);
+}

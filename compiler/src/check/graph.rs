@@ -6,7 +6,7 @@ use std::rc::Rc;
 use crate::diagnostics::{Finding, Findings};
 use crate::document::{Document, Reader, all_mistakes, read_file};
 use crate::graph::Graph;
-use crate::nodes::NodeLibrary;
+use crate::nodes::{NodeLibrary, Signature};
 
 use super::files::{Files, OnDisk};
 use super::nested::Nested;
@@ -73,6 +73,12 @@ pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn 
         reader.findings.push(finding);
     }
     Checked::from(reader.findings, phenomenon.map(|phenomenon| phenomenon.graph))
+}
+
+/// What a phenomenon is where it is a node, under that name: its parameters, and what it offers.
+pub fn as_node(graph: &Graph, name: &str) -> Signature {
+    let nested = Nested::new(graph.clone(), 1, Vec::new(), Vec::new());
+    nested.definition(name.to_owned()).signature
 }
 
 /// The findings of a file that another uses, and the phenomenon it is if it is right.

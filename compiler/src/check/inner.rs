@@ -30,6 +30,8 @@ struct Scope<'d> {
     own: HashMap<&'d str, usize>,
     /// Those it uses as types of nodes, each where it does so first.
     uses: Vec<(usize, &'d Value)>,
+    /// Those it names as if they were of the library.
+    named: Vec<usize>,
     found: Found,
 }
 
@@ -68,17 +70,22 @@ impl<'d> Inner<'d> {
             at += 1;
         }
         for at in 0..inner.scopes.len() {
-            inner.scopes[at].uses = inner.uses(at);
+            let (uses, named) = inner.uses(at);
+            let scope = &mut inner.scopes[at];
+            (scope.uses, scope.named) = (uses, named);
         }
         inner
     }
 
-    /// Those a phenomenon uses.
-    fn uses(&self, at: usize) -> Vec<(usize, &'d Value)> {
-        let mut uses: Vec<(usize, &Value)> = Vec::new();
+    /// Those a phenomenon uses, and those it only names.
+    fn uses(&self, at: usize) -> (Vec<(usize, &'d Value)>, Vec<usize>) {
+        let (mut uses, mut named): (Vec<(usize, &Value)>, Vec<usize>) = Default::default();
         let mut seen: HashMap<&str, ()> = HashMap::new();
         for node in self.scopes[at].value.get("nodes").map_or(&[][..], Value::members) {
             let Some(value) = node.value.get("type") else { continue };
+            if let ValueKind::String(name) = &value.kind {
+                named.extend(self.position(at, name));
+            }
             let Some(name) = inner_of(value).filter(|name| seen.insert(name, ()).is_none()) else {
                 continue;
             };
@@ -86,7 +93,7 @@ impl<'d> Inner<'d> {
                 uses.push((used, value.get("phenomenon").unwrap_or(value)));
             }
         }
-        uses
+        (uses, named)
     }
 
     /// The phenomenon called so where another stands: the nearest, from the inside out.
@@ -245,7 +252,8 @@ impl<'d> Inner<'d> {
         let mut pending = vec![0];
         while let Some(at) = pending.pop() {
             if !std::mem::replace(&mut used[at], true) {
-                pending.extend(self.scopes[at].uses.iter().map(|(used, _)| *used));
+                let scope = &self.scopes[at];
+                pending.extend(scope.uses.iter().map(|(used, _)| *used).chain(scope.named.clone()));
             }
         }
         let mut explained = vec![false; self.scopes.len()];
@@ -269,7 +277,7 @@ impl<'d> Inner<'d> {
 
 impl<'d> Scope<'d> {
     fn new(member: Option<&'d Member>, value: &'d Value, outer: usize) -> Self {
-        let (own, uses, found) = (HashMap::new(), Vec::new(), Found::Broken);
-        Self { member, value, outer, own, uses, found }
+        let (own, uses, named) = (HashMap::new(), Vec::new(), Vec::new());
+        Self { member, value, outer, own, uses, named, found: Found::Broken }
     }
 }

@@ -38,6 +38,12 @@ pub static PHENOMENON: Section = Section {
             "What the renderer must do for it",
         ),
         INTERFACE,
+        key(
+            "presets",
+            Kind::Presets,
+            Given::Default("{}"),
+            "Values of some of the parameters, by the name of a preset; `--preset` and scenes choose one",
+        ),
         key("phenomena", Kind::Named(&INNER), Given::Default("{}"), PHENOMENA),
         NODES,
         OUTPUTS,

@@ -40,6 +40,7 @@ mod node_types;
 mod nodes;
 mod outputs;
 mod phenomenon;
+mod presets;
 mod ranges;
 mod reach;
 mod reachable;
@@ -58,7 +59,7 @@ mod used_phenomena;
 mod value_keys;
 
 pub use files::{Files, OnDisk};
-pub use graph::{Checked, check_graph, check_graph_with, read_graph_file};
+pub use graph::{Checked, as_node, check_graph, check_graph_with, read_graph_file};
 pub use limits::{
     MAX_ADVISED, MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_OUTPUTS, MAX_PARTS,
     MAX_SHADERS,

@@ -17,7 +17,7 @@ use super::reachable::Named;
 use super::used_phenomena::Known;
 use super::{
     bind, cycles, dead_inputs, expand, hazards, interface, keys, loops, names, nodes, outputs,
-    ranges, reach, requirements, roots, stations, textures, types, used_phenomena,
+    presets, ranges, reach, requirements, roots, stations, textures, types, used_phenomena,
 };
 
 /// What the check of a file rests on, besides the file.
@@ -109,17 +109,21 @@ fn check_one<'d>(
     textures::check(reader, given.files);
     let parameters: Option<Vec<Parameter>> =
         draft.parameters.iter_mut().map(|given| given.parameter.take()).collect();
-    let mut uses = draft.phenomena.values().chain(draft.inner.values());
-    if uses.any(Option::is_none) || reader.findings.errors() > before {
-        return None;
-    }
     let Header { name, version, doc } = header;
     let Bound { nodes, roots, outputs } = bound;
     let (library, parameters) = (given.library.clone(), parameters?);
     #[rustfmt::skip]
     let graph = Graph {
-        library, name, doc, version, requirements, parameters, nodes, roots, outputs, ruled_out,
+        library, name, doc, version, requirements, parameters, presets: Vec::new(), nodes, roots, outputs, ruled_out,
     };
+    // Those of a phenomenon within the file are told to be no key of it.
+    let presets = object.optional("presets").filter(|_| member.is_none());
+    let presets = presets::read(reader, presets, &graph, given.files);
+    let mut uses = draft.phenomena.values().chain(draft.inner.values());
+    if uses.any(Option::is_none) || reader.findings.errors() > before {
+        return None;
+    }
+    let graph = Graph { presets, ..graph };
     let graph = match draft.nested.is_empty() {
         true => graph,
         false => expand::expand(reader, value, &draft, graph)?,

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use crate::diagnostics::{Code, Finding, shortened};
-use crate::document::{Reader, Value};
+use crate::document::{Reader, Value, ValueKind};
 use crate::nodes::NodeType;
 
 use super::draft::Draft;
@@ -58,6 +58,15 @@ pub(super) fn declare<'d>(
                 add(reader, draft, value, nested, |draft| draft.node_types.add_inner(definition))
             });
             draft.inner.insert(name, node_type);
+        }
+    }
+    // Named as if they were of the library: known, so that it can be said what to write.
+    for member in nodes.map_or(&[][..], Value::members) {
+        if let Some(ValueKind::String(name)) = member.value.get("type").map(|value| &value.kind)
+            && draft.node_types.library.find(name).is_none()
+            && known.inner.find(known.scope, name).is_some()
+        {
+            draft.inner.entry(name).or_insert(None);
         }
     }
 }

@@ -217,9 +217,13 @@ codes! {
         "A node is to be a phenomenon that stands in the file, and none of that name stands under `phenomena`, nor round the phenomenon the node belongs to.",
         wrong r#"{ "phenomenon": "a", "phenomena": { "grey": { "outputs": { "value": { "type": "scalar", "from": 0.5 } } } }, "nodes": { "n": { "type": { "phenomenon": "gray" } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "phenomena": { "grey": { "outputs": { "value": { "type": "scalar", "from": 0.5 } } } }, "nodes": { "n": { "type": { "phenomenon": "grey" } } }, "roots": { "material": { "node": "n" } } }"#;
+    UNKNOWN_PRESET "unknown-preset" Error "A preset the graph does not have",
+        "The scene names a preset, and none of that name stands under `presets` in the graph.",
+        wrong r#"s.json: { … "material": { "file": "glass.json", "preset": "smokey" } … }"#,
+        right r#"s.json: { … "material": { "file": "glass.json", "preset": "smoke" } … }"#;
     BAD_COLOR "bad-color" Error "A colour that cannot be read",
         "Colours of encoded spaces are `#` and three, four, six or eight hexadecimal digits, or three or four numbers of 0 to 1; those of linear spaces are numbers.",
-        wrong r##"{ "phenomenon": "a", "roots": { "material": { "srgb": [255, 128, 0] } } }"##,
+        wrong r##"{ "phenomenon": "a", "roots": { "material": { "srgb": [1, 128, 0] } } }"##,
         right r##"{ "phenomenon": "a", "roots": { "material": { "srgb": "#ff8000" } } }"##;
     WRONG_LENGTH "wrong-length" Error "A list of the wrong length",
         "An array has the length its default has, so that every part of it is known before anything is evaluated. Where it is given, there must be as many values. A list with nothing in it has no value at all.",

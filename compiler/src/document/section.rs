@@ -92,6 +92,8 @@ pub enum Kind {
     },
     /// Values of a graph's parameters, by name.
     Settings,
+    /// Such values, by names of the author's.
+    Presets,
     /// Anything.
     Anything,
 }
@@ -171,6 +173,7 @@ impl Kind {
             Kind::Labels => "list of strings".into(),
             Kind::Value { text, .. } => (*text).into(),
             Kind::Settings => "values by name".into(),
+            Kind::Presets => "values by name, by name".into(),
             Kind::Anything => "anything".into(),
         }
     }

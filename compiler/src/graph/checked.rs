@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use crate::nodes::{FINITE, NodeLibrary, NodeType};
 use crate::values::{Literal, Type};
 
-use super::{Requirements, RootKind};
+use super::{Preset, Requirements, RootKind};
 
 /// A phenomenon without findings of severity error.
 #[derive(Clone, Debug, Default)]
@@ -23,6 +23,8 @@ pub struct Graph {
     /// Parameters of the interface, in file order; arrays and structs part by part, called
     /// `layers[2].tint`.
     pub parameters: Vec<Parameter>,
+    /// Named values of parameters, in file order.
+    pub presets: Vec<Preset>,
     /// Nodes; connections between them form no cycle.
     pub nodes: Vec<Node>,
     /// Roots, at most one for each shader type.

@@ -4,12 +4,14 @@
 pub(crate) mod bind;
 mod checked;
 pub(crate) mod parts;
+mod presets;
 mod requirements;
 mod root_kind;
 mod with_root;
 
 pub use bind::BindError;
 pub use checked::{Binding, Graph, Node, Output, Parameter, Root};
+pub use presets::{NoSuchPreset, Preset};
 pub use requirements::Requirements;
 pub use root_kind::RootKind;
 pub use with_root::WithRootError;

@@ -87,6 +87,11 @@ impl Sections {
             }),
             Kind::Value { definition, .. } => reference(definition),
             Kind::Settings => reference("scene_settings"),
+            Kind::Presets => json!({
+                "type": "object",
+                "propertyNames": reference("name"),
+                "additionalProperties": reference("scene_settings"),
+            }),
             Kind::Anything => json!({}),
         }
     }

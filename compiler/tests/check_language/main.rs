@@ -6,6 +6,7 @@ mod compounds;
 mod files;
 mod known_before;
 mod outputs;
+mod presets;
 mod shaders;
 mod shading;
 mod uniform_values;

@@ -11,6 +11,8 @@ use crate::scene_file::{EnvironmentDescription, MaterialRef, SceneDescription};
 pub struct Change {
     /// The object, as it is named: by its name, as `objects[2]`, or `environment`.
     pub object: String,
+    /// The preset whose values come before those the scene sets.
+    pub preset: Option<String>,
     /// Parameters and their values, which come before those the scene sets.
     pub set: Vec<TextValue>,
     /// The node that is shown instead of the graph.
@@ -82,7 +84,8 @@ impl Changes {
     ) -> Result<&mut Change, NoSuchUse> {
         let material = material(scene, object)?;
         let at = *material.change.get_or_insert_with(|| {
-            self.0.push(Change { object: object.to_owned(), set: Vec::new(), node: None });
+            let object = object.to_owned();
+            self.0.push(Change { object, preset: None, set: Vec::new(), node: None });
             self.0.len() - 1
         });
         Ok(&mut self.0[at])

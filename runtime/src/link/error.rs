@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use phenomenon_compiler::diagnostics::Place;
 use phenomenon_compiler::engine::ShaderError;
-use phenomenon_compiler::graph::WithRootError;
+use phenomenon_compiler::graph::{NoSuchPreset, WithRootError};
 
 use super::node_path::{NoSuchNode, NodePath};
 use super::notes::line_of;
@@ -34,6 +34,14 @@ pub enum LinkError {
         object: String,
         /// The value, and what is wrong with it.
         error: ValueError,
+    },
+    /// A preset that a use of a graph is changed to is none of that graph.
+    #[error("{object}:{}: {error}", error.name)]
+    Preset {
+        /// The object.
+        object: String,
+        /// The name, and what there is.
+        error: NoSuchPreset,
     },
     /// The node that is to be shown cannot be.
     #[error(transparent)]

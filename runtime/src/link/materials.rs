@@ -101,9 +101,13 @@ impl Materials<'_> {
                 (graph, document, Vec::new())
             }
         };
-        if let Some(Change { object, set, .. }) = &changed {
+        if let Some(Change { object, preset, set, .. }) = &changed {
             values = bind_texts(&graph, set)
                 .map_err(|error| LinkError::Value { object: object.clone(), error })?;
+            if let Some(preset) = preset {
+                let no_preset = |error| LinkError::Preset { object: object.clone(), error };
+                values = graph.preset(preset).map_err(no_preset)?.with(values);
+            }
         }
         self.set(material, &graph, &document, &mut values)?;
         if self.idle_told.insert(material.source.clone()) {

@@ -101,6 +101,8 @@ impl ShapeDescription {
 pub struct MaterialRef {
     /// The graph.
     pub source: MaterialSource,
+    /// The preset it is given, which counts after what is set.
+    pub preset: Option<PresetRef>,
     /// Parameters it is given, in file order.
     pub set: Vec<Setting>,
     /// Where the scene names it.
@@ -108,6 +110,15 @@ pub struct MaterialRef {
     /// What the caller changes about this use, by a number of the caller's; none as read from a
     /// file. Uses with different changes share no shader.
     pub change: Option<usize>,
+}
+
+/// A preset of a graph, as a scene names it.
+#[derive(Clone, Debug)]
+pub struct PresetRef {
+    /// Its name.
+    pub name: String,
+    /// Where the scene names it.
+    pub place: Place,
 }
 
 /// A graph a scene uses, and what for.
@@ -242,8 +253,10 @@ impl SceneDescription {
 /// Whether two references give the same shader, wherever they stand.
 fn equal(a: &MaterialRef, b: &MaterialRef) -> bool {
     let same = |(a, b): (&Setting, &Setting)| a.is_same(b);
+    let preset = |it: &MaterialRef| it.preset.as_ref().map(|preset| preset.name.clone());
     a.source == b.source
         && a.change == b.change
+        && preset(a) == preset(b)
         && a.set.len() == b.set.len()
         && a.set.iter().zip(&b.set).all(same)
 }

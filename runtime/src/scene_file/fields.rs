@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use phenomenon_compiler::check::Setting;
 use phenomenon_compiler::document::{Object, Reader, Section, Value};
 
-use super::description::{MaterialRef, MaterialSource};
+use super::description::{MaterialRef, MaterialSource, PresetRef};
 use super::keys::COORDINATES;
 
 /// A point, direction or the like.
@@ -27,7 +27,7 @@ pub(super) fn section<'d>(
     reader.object(value, section.what, &section.names())
 }
 
-/// The graph file named at `file`, with the `set` of the object round it.
+/// The graph file named at `file`, with the `preset` and the `set` of the object round it.
 pub(super) fn graph_file<'d>(
     reader: &mut Reader<'d>,
     object: &Object<'d>,
@@ -36,9 +36,19 @@ pub(super) fn graph_file<'d>(
     folder: &Path,
 ) -> Option<MaterialRef> {
     let source = file_path(reader, file, what, folder).map(MaterialSource::File);
-    let set = settings(reader, object);
+    let (preset, set) = (preset(reader, object), settings(reader, object));
     let place = reader.document.place(file);
-    Some(MaterialRef { source: source?, set: set?, place, change: None })
+    Some(MaterialRef { source: source?, preset: preset?, set: set?, place, change: None })
+}
+
+/// The preset; only the graph can tell whether it has one. The outer is none where it is no string.
+pub(super) fn preset<'d>(
+    reader: &mut Reader<'d>,
+    object: &Object<'d>,
+) -> Option<Option<PresetRef>> {
+    let Some(value) = object.optional("preset") else { return Some(None) };
+    let name = reader.string(value, "`preset`")?.to_owned();
+    Some(Some(PresetRef { name, place: reader.document.place(value) }))
 }
 
 /// The members of `set`; what they may be only the graph can tell. None where it is no object.

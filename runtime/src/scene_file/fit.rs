@@ -9,7 +9,7 @@ use phenomenon_compiler::document::{Document, Value, ValueKind};
 use phenomenon_compiler::graph::{Binding, Graph};
 use phenomenon_compiler::values::Literal;
 
-use super::description::{GraphUse, MaterialRef};
+use super::description::{GraphUse, MaterialRef, PresetRef};
 use super::file::LightNames;
 
 /// The root that a use of a graph calls, and the graph lacks.
@@ -23,14 +23,23 @@ pub fn missing_root(used: &GraphUse, graph: &Graph) -> Option<Finding> {
     Some(Finding::new(Code::MISSING_ROOT, used.material.place.clone(), message, help))
 }
 
-/// The values a scene gives to the parameters of a graph; those that do not suit are findings, and so
+/// The values a scene gives to the parameters of a graph, by a preset too; those that do not suit are findings, and so
 /// are pictures among them that cannot be used.
 pub fn settings(
     material: &MaterialRef,
     graph: &Graph,
     files: &dyn Files,
 ) -> (Vec<(String, Literal)>, Vec<Finding>) {
-    bind_settings(graph, &material.set, files)
+    let (set, mut findings) = bind_settings(graph, &material.set, files);
+    let Some(PresetRef { name, place }) = &material.preset else { return (set, findings) };
+    match graph.preset(name) {
+        Ok(preset) => (preset.with(set), findings),
+        Err(error) => {
+            let (code, message) = (Code::UNKNOWN_PRESET, error.to_string());
+            findings.push(Finding::misspelt(code, place.clone(), message, error.advice));
+            (set, findings)
+        }
+    }
 }
 
 /// The names of lights a graph asks for and the scene does not have: they would light nothing,

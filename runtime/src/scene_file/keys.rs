@@ -237,6 +237,12 @@ pub static MATERIAL: Section = Section {
         ),
         key("file", Kind::File, Given::Choice, "A graph with the root `material`"),
         key(
+            "preset",
+            Kind::Text,
+            Given::Optional,
+            "A preset of the graph; what `set` gives counts before its values",
+        ),
+        key(
             "set",
             Kind::Settings,
             Given::Default("{}"),
@@ -323,6 +329,7 @@ pub static ENVIRONMENT: Section = Section {
             DEGREES,
             "Turn of the `image` about the vertical; with it only",
         ),
+        key("preset", Kind::Text, Given::Optional, "A preset of the graph `file`; with it only"),
         key(
             "set",
             Kind::Settings,

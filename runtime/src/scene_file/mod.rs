@@ -17,7 +17,7 @@ mod surroundings;
 pub use assets::{Assets, Unusable};
 pub use description::{
     BuildError, EnvironmentDescription, GraphUse, MaterialRef, MaterialSource, ObjectDescription,
-    SceneDescription, SceneOptions, ShapeDescription,
+    PresetRef, SceneDescription, SceneOptions, ShapeDescription,
 };
 pub use embedded::{default_scene, embedded_file};
 pub use file::{

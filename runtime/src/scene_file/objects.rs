@@ -12,7 +12,7 @@ use super::assets::Assets;
 use super::description::{
     GraphUse, MaterialRef, MaterialSource, ObjectDescription, ShapeDescription,
 };
-use super::fields::{file_path, graph_file, section, settings, vector};
+use super::fields::{file_path, graph_file, preset, section, settings, vector};
 use super::foreign;
 use super::keys::{COORDINATES, LENGTHS, MATERIAL, OBJECT, RECTANGLE, SPHERE, TRANSFORM};
 use super::meshes::Meshes;
@@ -187,7 +187,7 @@ fn transform<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Transform>
     None
 }
 
-/// `{"subject": true}`, or `{"file": "graph.json", "set": {…}}`.
+/// `{"subject": true}`, or `{"file": "graph.json", "preset": "smoke", "set": {…}}`.
 fn material<'d>(reader: &mut Reader<'d>, value: &'d Value, folder: &Path) -> Option<MaterialRef> {
     if foreign::material(reader, value) {
         return None;
@@ -197,11 +197,12 @@ fn material<'d>(reader: &mut Reader<'d>, value: &'d Value, folder: &Path) -> Opt
     if let (None, Some(file)) = (subject, object.optional("file")) {
         return graph_file(reader, &object, file, "`file` of a material", folder);
     }
-    let set = settings(reader, &object);
+    let (preset, set) = (preset(reader, &object), settings(reader, &object));
     match (subject, object.optional("file")) {
         (Some(Some(true)), None) => {
             let place = reader.document.place(value);
-            Some(MaterialRef { source: MaterialSource::Subject, set: set?, place, change: None })
+            let (preset, set) = (preset?, set?);
+            Some(MaterialRef { source: MaterialSource::Subject, preset, set, place, change: None })
         }
         (Some(None), None) => None,
         _ => {

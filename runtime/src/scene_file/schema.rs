@@ -40,6 +40,7 @@ fn define_scene(definitions: &mut Map<String, Value>) {
                 { "type": ["number", "string", "boolean", "array", "null"] },
                 reference("light_literal"),
                 reference("texture_literal"),
+                reference("color_of_space"),
                 object(&["struct"], json!({ "struct": { "type": "object" } })),
             ] },
         }),

@@ -131,7 +131,8 @@ pub(super) fn environment<'d>(
         reader.report(Code::UNUSABLE_OBJECT, value, message, help);
         return None;
     };
-    for (key, of) in [("intensity", "image"), ("rotation", "image"), ("set", "file")] {
+    let keys = [("intensity", "image"), ("rotation", "image"), ("preset", "file"), ("set", "file")];
+    for (key, of) in keys {
         let member = value.members().iter().find(|member| member.key == key);
         if let Some(member) = member.filter(|_| of != kind) {
             let message = format!("`{key}` does nothing in an environment that is no `{of}`");

@@ -26,6 +26,11 @@ pub struct Arguments {
     #[arg(value_hint = ValueHint::FilePath)]
     file: PathBuf,
 
+    /// Give parameters the values of this preset of the graph; --set counts before it; in a scene OBJECT:NAME, which
+    /// may be repeated
+    #[arg(long, value_name = "NAME")]
+    preset: Vec<String>,
+
     /// Width and height in pixels; otherwise as the scene says
     #[arg(long, value_name = "WxH", value_parser = arguments::size)]
     size: Option<Size>,
@@ -96,7 +101,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             simd: SimdChoice::default(),
             batch: 256,
         };
-        match scenes::load(&arguments.file, &library, &run, &Flags::default()) {
+        let flags = Flags { preset: &arguments.preset, ..Flags::default() };
+        match scenes::load(&arguments.file, &library, &run, &flags) {
             Ok(picture) => contenders.push(Contender { engine, picture, runs: Vec::new() }),
             // Not every graph is written by hand, and not every machine has the jit.
             Err(failure) if !contenders.is_empty() => {

@@ -25,6 +25,10 @@ pub struct Arguments {
     #[arg(value_hint = ValueHint::FilePath)]
     graph: PathBuf,
 
+    /// Give parameters the values of this preset of the graph; --set counts before it
+    #[arg(long, value_name = "NAME")]
+    preset: Option<String>,
+
     /// Give a parameter another value than its default; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = arguments::assignment)]
     set: Vec<TextValue>,
@@ -84,7 +88,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let (state, notes) = state_fields::state(&arguments.state)?;
     let graph =
         Told { allow: &arguments.allow }.read(&arguments.graph, &NodeLibrary::standard())?;
-    let values = graphs::bind(&graph, &arguments.set)?;
+    let values = graphs::bind(&graph, arguments.preset.as_deref(), &arguments.set)?;
     notes.iter().for_each(|note| terminal::tell(note));
     let point = Point { values: &values, options: arguments.engine.options(engine), state };
     let evaluation = match &arguments.node {

@@ -1,5 +1,7 @@
 //! The arguments of the command, and what it does.
 
+use std::path::Path;
+
 use clap::Args;
 use phenomenon_compiler::diagnostics::nearest;
 use phenomenon_compiler::nodes::{NodeLibrary, Signature};
@@ -8,13 +10,14 @@ use super::groups::{Group, grouped};
 use super::{human, json, search};
 use crate::arguments::Format;
 use crate::failure::{Failure, Outcome};
+use crate::graphs;
 use crate::terminal;
 
 /// List the nodes graphs can use, or tell all about one.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// A node or a group; without it all are listed
+    /// A node or a group, or a graph file as the node it is; without it all are listed
     name: Option<String>,
 
     /// List the nodes that have these words in their name, inputs, outputs or docs, or that other
@@ -32,6 +35,7 @@ Examples:
   phenomenon nodes
   phenomenon nodes mix
   phenomenon nodes rays
+  phenomenon nodes graphs/painted/ripples.json
   phenomenon nodes --search lerp
   phenomenon nodes --search reflection colour
   phenomenon nodes mix --format json";
@@ -45,7 +49,7 @@ enum Subject<'l> {
 /// Runs the command.
 ///
 /// # Errors
-/// An unknown name, or standard output that cannot be written.
+/// An unknown name, a file that cannot be used, or standard output that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let library = NodeLibrary::standard();
     if !arguments.search.is_empty() {
@@ -53,6 +57,15 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         match arguments.format {
             Format::Human => terminal::print(&human::found(&found)),
             Format::Json => terminal::print_exactly(&json::found(&found)),
+        }?;
+        return Ok(Outcome::Fine);
+    }
+    let file = arguments.name.as_deref().filter(|name| name.ends_with(".json"));
+    if let Some(file) = file {
+        let graph = graphs::read(Path::new(file), &library)?;
+        match arguments.format {
+            Format::Human => terminal::print(&human::phenomenon(&graph)),
+            Format::Json => terminal::print_exactly(&json::phenomenon(&graph)),
         }?;
         return Ok(Outcome::Fine);
     }

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use phenomenon_compiler::check::as_node;
+use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::{DefaultValue, Input, Kind, Signature};
 use phenomenon_compiler::state::Iterated;
 use phenomenon_compiler::values::Type;
@@ -64,7 +66,24 @@ pub fn node(node: &Signature) -> String {
         let _ = writeln!(text, "  {}: {}{range}", output.name, output.value_type.name());
         paragraphs(&mut text, 6, &output.doc);
     }
-    let _ = writeln!(text, "\nSource: {}", node.source);
+    // Phenomena tell theirs in the doc.
+    if node.group != "phenomena" {
+        let _ = writeln!(text, "\nSource: {}", node.source);
+    }
+    text
+}
+
+/// All about a phenomenon as a node, and its presets.
+pub fn phenomenon(graph: &Graph) -> String {
+    let mut text = node(&as_node(graph, &graph.name));
+    if !graph.presets.is_empty() {
+        text.push_str("\nPresets\n");
+    }
+    for preset in &graph.presets {
+        let values: Vec<String> =
+            preset.values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        let _ = writeln!(text, "  {}: {}", preset.name, values.join(", "));
+    }
     text
 }
 

@@ -1,5 +1,7 @@
 //! Nodes as JSON, version 1.
 
+use phenomenon_compiler::check::as_node;
+use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::{DefaultValue, Input, Kind, Output, Signature};
 use phenomenon_compiler::values::{Literal, Type};
 use serde_json::{Map, Value, json};
@@ -29,6 +31,21 @@ pub fn found(hits: &[Hit<'_>]) -> String {
 /// `{"version":1,"node":{…}}`
 pub fn node(node: &Signature) -> String {
     format!("{:#}\n", json!({ "version": 1, "node": described(node) }))
+}
+
+/// `{"version":1,"node":{…},"presets":{"name":{"parameter":value}}}`
+pub fn phenomenon(graph: &Graph) -> String {
+    let presets: Map<String, Value> = graph
+        .presets
+        .iter()
+        .map(|preset| {
+            let values = preset.values.iter();
+            let values = values.map(|(name, literal)| (name.clone(), value(literal)));
+            (preset.name.clone(), Value::Object(values.collect()))
+        })
+        .collect();
+    let node = described(&as_node(graph, &graph.name));
+    format!("{:#}\n", json!({ "version": 1, "node": node, "presets": presets }))
 }
 
 fn described(node: &Signature) -> Value {

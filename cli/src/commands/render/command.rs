@@ -55,6 +55,11 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = arguments::seed)]
     seed: Option<u64>,
 
+    /// Give parameters the values of this preset of the graph; --set counts before it; in a scene OBJECT:NAME, which
+    /// may be repeated
+    #[arg(long, value_name = "NAME")]
+    preset: Vec<String>,
+
     /// Give a parameter another value; in a scene OBJECT:NAME=VALUE; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = arguments::assignment)]
     set: Vec<TextValue>,
@@ -91,7 +96,7 @@ const EXAMPLES: &str = "\
 PNG is sRGB-encoded; EXR and HDR keep scene-linear values. The picture depends on the file, size,
 samples, seed and parameters alone: engine (but monolith), threads, batch and simd change no bit.
 
-Values count in this order: --set, `set` in the scene, the default of the parameter. In a scene,
+Values count in this order: --set, --preset, `set` in the scene, its `preset`, the default of the parameter. In a scene,
 OBJECT is the name of an object, `objects[2]`, or `environment`. Numbers are written as in files
 (0.5, not .5), arrays and structs as well: --set 'layers=[…]', or part by part: layers[2].tint=1,0,0.
 
@@ -124,6 +129,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let library = NodeLibrary::standard();
     let flags = Flags {
         set: &arguments.set,
+        preset: &arguments.preset,
         node: arguments.node.as_ref(),
         stage: arguments.scene.as_deref(),
         allow: &arguments.allow,
