@@ -162,7 +162,10 @@ fn presets_and_outputs_are_evaluated_by_name() {
     let scene = "scenes/default.json";
     refused(&["render", scene, "--preset", "low", "-o", "x.png"], &["OBJECT:PRESET"]);
     refused(
-        &["render", scene, "--preset", "floor:dark", "-o", "x.png"],
-        &["--preset floor:dark: `checker_floor` has no preset `dark`; it has no presets at all"],
+        &["render", "scenes/teapot.json", "--preset", "teapot:dark", "-o", "x.png"],
+        &[
+            "--preset teapot:dark: `advanced_glass` has no preset `dark`",
+            "its presets are `moldavite`, `clear` and `smoke`",
+        ],
     );
 }

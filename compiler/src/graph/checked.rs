@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use crate::nodes::{FINITE, NodeLibrary, NodeType};
 use crate::values::{Literal, Type};
 
-use super::{Preset, Requirements, RootKind};
+use super::{Requirements, RootKind};
 
 /// A phenomenon without findings of severity error.
 #[derive(Clone, Debug, Default)]
@@ -56,6 +56,15 @@ pub struct Parameter {
     pub unit: String,
     /// For an enumeration, which is an integer: the names of 0, 1, 2 …; else empty.
     pub labels: Vec<String>,
+}
+
+/// Values of some parameters of a phenomenon, under a name.
+#[derive(Clone, Debug)]
+pub struct Preset {
+    /// Its name.
+    pub name: String,
+    /// Parameters, or parts of them, with their values, which suit them; the others keep their defaults.
+    pub values: Vec<(String, Literal)>,
 }
 
 /// A node of a graph.

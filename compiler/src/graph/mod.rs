@@ -10,8 +10,8 @@ mod root_kind;
 mod with_root;
 
 pub use bind::BindError;
-pub use checked::{Binding, Graph, Node, Output, Parameter, Root};
-pub use presets::{NoSuchPreset, Preset};
+pub use checked::{Binding, Graph, Node, Output, Parameter, Preset, Root};
+pub use presets::NoSuchPreset;
 pub use requirements::Requirements;
 pub use root_kind::RootKind;
 pub use with_root::WithRootError;

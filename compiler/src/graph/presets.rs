@@ -2,18 +2,9 @@
 
 use std::collections::HashSet;
 
-use super::Graph;
+use super::{Graph, Preset};
 use crate::diagnostics::{Advice, listed, nearest, shortened};
 use crate::values::Literal;
-
-/// Values of some parameters of a phenomenon, under a name.
-#[derive(Clone, Debug)]
-pub struct Preset {
-    /// Its name.
-    pub name: String,
-    /// Parameters, or parts of them, with their values, which suit them; the others keep their defaults.
-    pub values: Vec<(String, Literal)>,
-}
 
 /// Why a name leads to no preset.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -38,13 +38,7 @@ pub fn parts_of(
     if let Some(name) = written.or(known.and_then(|member| text(&member.value, "type"))) {
         return library.find(name).map(|node_type| of_signature(library.signature(node_type)));
     }
-    let node_type = known?.value.get("type")?;
-    if let Some(named) = text(node_type, "phenomenon") {
-        let document = inner(file.document.as_ref()?, named)?;
-        return Some(of_phenomenon(&document, named));
-    }
-    let named = text(node_type, "file")?;
-    phenomenon(file, named, files).map(|document| of_phenomenon(&document, named))
+    of_type(file, known?.value.get("type")?, files)
 }
 
 /// What a node has, as it stands in the file.
@@ -57,7 +51,16 @@ pub fn parts_of_node(
     if let Some(name) = text(node, "type") {
         return library.find(name).map(|node_type| of_signature(library.signature(node_type)));
     }
-    let named = text(node.get("type")?, "file")?;
+    of_type(file, node.get("type")?, files)
+}
+
+/// What a phenomenon has that is the type of a node: one in another file, or in this one.
+fn of_type(file: &OpenFile, node_type: &Value, files: &OpenFiles) -> Option<Parts> {
+    if let Some(named) = text(node_type, "phenomenon") {
+        let document = inner(file.document.as_ref()?, named)?;
+        return Some(of_phenomenon(&document, named));
+    }
+    let named = text(node_type, "file")?;
     phenomenon(file, named, files).map(|document| of_phenomenon(&document, named))
 }
 
