@@ -196,6 +196,22 @@ fn converters(library: &NodeLibrary, from: Type, to: Type) -> Vec<String> {
     found.into_iter().filter(|(rank, _)| *rank == least).map(|(_, name)| name).take(2).collect()
 }
 
+/// Nodes that are made for changing the type of a value. Others change it too, and are named where none of
+/// these does.
+const MADE_FOR_IT: [&str; 9] = [
+    "color_to_vector",
+    "combine_color",
+    "combine_vector",
+    "length",
+    "luminance",
+    "select",
+    "split_color",
+    "split_vector",
+    "vector_to_color",
+];
+/// More than any rank of a node.
+const FARTHER: usize = 4;
+
 /// How a node makes `to` of `from` if it needs nothing else, and how roundabout that is.
 fn converter(signature: &Signature, from: Type, to: Type) -> Option<(usize, String)> {
     if signature.kind != Kind::Plain {
@@ -212,24 +228,21 @@ fn converter(signature: &Signature, from: Type, to: Type) -> Option<(usize, Stri
         return None;
     }
     let all = taken.iter().all(|taken| *taken);
+    let made_for_it = MADE_FOR_IT.contains(&&*signature.name);
+    let farther = if made_for_it { 0 } else { FARTHER };
     match output {
         Some(output) if output > 0 => {
             let of = &signature.outputs[output].name;
-            Some((2, format!("the output `{of}` of {name}")))
+            Some((2 + farther, format!("the output `{of}` of {name}")))
         }
-        // A node that takes values apart or puts them together is named for just that.
-        Some(_)
-            if signature.name.starts_with("split_") || signature.name.starts_with("combine_") =>
-        {
-            Some((0, name))
-        }
-        Some(_) if all && taken.len() == 1 => Some((0, name)),
-        Some(_) if all => Some((3, name)),
+        Some(_) if made_for_it => Some((0, name)),
+        Some(_) if all && taken.len() == 1 => Some((farther, name)),
+        Some(_) if all => Some((3 + farther, name)),
         // A choice between two values of the wanted type.
         None if from == Type::Boolean
             && signature.outputs.iter().any(|output| output.value_type == Type::Generic) =>
         {
-            Some((1, name))
+            Some((1 + farther, name))
         }
         _ => None,
     }

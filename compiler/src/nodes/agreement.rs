@@ -3,10 +3,9 @@
 use super::NodeLibrary;
 use crate::testing::{Subjects, forms};
 
-/// The nodes of the list, the node of `docs/adding-a-node.md`, and one with inputs known before shading.
+/// The nodes of the list, and one with inputs known before shading.
 fn library() -> NodeLibrary {
     let mut library = NodeLibrary::standard();
-    library.add(super::adding_a_node::contrast::definition());
     library.add(super::fixed_inputs::powers::definition());
     library
 }

@@ -6,6 +6,9 @@ use std::ops::RangeInclusive;
 pub const SUMMAND: RangeInclusive<f64> = -1.7e38..=1.7e38;
 /// Three products of two numbers of this range each have a finite sum.
 pub const FACTOR: RangeInclusive<f64> = -1e19..=1e19;
+/// Six products of three numbers of this range each have a finite sum, which times a fourth is finite too
+/// if that is at most 1.
+pub const CUBED: RangeInclusive<f64> = -1e12..=1e12;
 /// [`FACTOR`] without its negative half: colours that are multiplied.
 pub const INTENSITY: RangeInclusive<f64> = 0.0..=1e19;
 /// From 0 to 1.
@@ -21,5 +24,7 @@ mod tests {
         assert!((summand + summand).is_finite());
         let factor = *FACTOR.end() as f32;
         assert!((factor * factor + factor * factor + factor * factor).is_finite());
+        let cubed = *CUBED.end() as f32;
+        assert!((6.0 * cubed * cubed * cubed).is_finite());
     }
 }

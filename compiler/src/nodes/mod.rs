@@ -50,9 +50,20 @@ macro_rules! nodes {
 nodes! {
     /// Arithmetic on numbers, vectors and colours.
     arithmetic {
-        absolute, add, arc_tangent2, clamp, cosine, divide, exponential, floor, fraction,
-        logarithm, maximum, minimum, modulo, multiply, negate, one_minus, power, ratio, scale, sine,
-        smooth_step, square_root, subtract,
+        absolute, add, arc_tangent2, average, ceiling, clamp, cosine, cube_root, divide, exponential,
+        floor, fraction, inverse_square_root, logarithm, logarithm2, logarithm10, logarithm_to_base,
+        maximum, minimum, modulo, multiply, multiply_add, negate, one_minus, power, power_of_two,
+        ratio, round, safe_power, scale, sign, sine, smooth_maximum, smooth_minimum, smooth_step,
+        snap, square_root, subtract, truncate, truncated_modulo,
+    }
+    /// Angles in radians, and functions of them; `sine`, `cosine` and `arc_tangent2` are with arithmetic.
+    trigonometry {
+        arc_cosine, arc_sine, arc_tangent, degrees_to_radians, hyperbolic_cosine, hyperbolic_sine,
+        hyperbolic_tangent, radians_to_degrees, tangent,
+    }
+    /// Changes of range, steps, and waves.
+    ranges {
+        bias, gain, linear_step, ping_pong, range, remap, smoother_step, step, triangle_wave, wrap,
     }
     /// Values given once and used in many places.
     constants {
@@ -60,15 +71,33 @@ nodes! {
     }
     /// Directions, points and their products.
     vector {
-        combine_vector, cross, dot, length, normalize, split_vector, transform_normal,
-        transform_point, transform_vector,
+        color_to_vector, combine_vector, cross, distance, dot, face_forward, length,
+        maximum_component, minimum_component, normalize, project, reflect, refract, rotate, rotate_2d,
+        split_vector, transform_normal, transform_point, transform_vector, vector_to_color,
     }
-    /// Blending and converting colours.
-    color { combine_color, hsv_to_rgb, luminance, mix, overlay, screen, split_color }
+    /// Transforms made, joined and taken apart. Points are rows: the rows of a transform are where it takes
+    /// the axes, and the last is where it takes the origin.
+    transforms {
+        compose, determinant, inverse, rotation, scaling, transform_axes, transform_from_axes,
+        translation, transpose,
+    }
+    /// Converting and grading colours.
+    color {
+        adjust_hsv, blackbody, color_correct, combine_color, contrast, decode_color, exposure, gamma,
+        hsl_to_rgb, hsv_to_rgb, linear_to_srgb, luminance, mix, overlay, rgb_to_hsl, rgb_to_hsv,
+        saturation, screen, split_color, srgb_to_linear, wavelength_to_color,
+    }
+    /// Layers: blend modes, and pictures joined by alpha.
+    compositing {
+        blend, blend_hue, color_mix, composite, inside, outside, premultiply, unpremultiply,
+    }
     /// Patterns that look like chance, the same at every look.
     noise { perlin_noise }
     /// Comparing and choosing.
-    logic { and, equal, less, less_equal, not, or, select, string_equal, switch }
+    logic {
+        and, between, equal, greater, greater_equal, less, less_equal, nearly_equal, not, not_equal,
+        or, select, string_equal, switch, xor,
+    }
     /// Over lists of any length.
     lists { element, sum }
     /// Light at the boundary of two media.

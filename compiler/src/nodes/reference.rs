@@ -12,11 +12,18 @@ use super::{Avoid, DefaultValue, Definition, FINITE, Kind, NOT_NEGATIVE, NodeLib
 pub fn reference(library: &NodeLibrary) -> String {
     let mut page = String::from(
         "# Nodes\n\nWritten from the list of nodes by `compiler/src/nodes/reference.rs`; a test holds \
-         the two together.\n`UPDATE_REFERENCE=1 cargo test -p phenomenon-compiler reference` writes \
+         the two together.\n`PHENOMENON_BLESS=1 cargo test -p phenomenon-compiler reference` writes \
          it anew. How to add one: [adding-a-node.md](adding-a-node.md).\n\nAn input without a default \
          must be given. An input *demanded only where …* is not evaluated elsewhere.\nRanges hold per \
          component (of a colour: red, green and blue) for the values that arrive.\n",
     );
+    page.push_str("`phenomenon nodes --search WORD` finds nodes by what they do and by what others call them.\n\n");
+    for group in library.groups() {
+        let nodes = library.iter().map(|(_, definition)| &definition.signature);
+        let nodes = nodes.filter(|node| node.group == group.name);
+        let links: Vec<String> = nodes.map(|node| format!("[{0}](#{0})", node.name)).collect();
+        let _ = writeln!(page, "* [**{0}**](#{0}): {1}", group.name, links.join(", "));
+    }
     for group in library.groups() {
         let _ = write!(page, "\n## {}\n\n{}\n", group.name, group.doc);
         for (_, definition) in library.iter() {
@@ -153,14 +160,14 @@ mod tests {
     fn the_checked_in_reference_is_in_sync() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/nodes.md");
         let page = reference(&NodeLibrary::standard());
-        if std::env::var_os("UPDATE_REFERENCE").is_some() {
+        if std::env::var_os("PHENOMENON_BLESS").is_some() {
             std::fs::write(path, &page).expect("the page can be written");
         }
         let checked_in = std::fs::read_to_string(path).unwrap_or_default();
         assert!(
             checked_in == page,
             "docs/nodes.md does not show the nodes as they are: run \
-             `UPDATE_REFERENCE=1 cargo test -p phenomenon-compiler reference`"
+             `PHENOMENON_BLESS=1 cargo test -p phenomenon-compiler reference`"
         );
     }
 

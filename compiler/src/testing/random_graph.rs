@@ -144,9 +144,11 @@ impl<'a> Growing<'a> {
     }
 
     fn grown(mut self, size: usize, often: Option<NodeType>) -> (Graph, Vec<(String, Literal)>) {
+        let takers = often.map_or(Vec::new(), |often| self.takers(often));
         for _ in 0..size {
             let node_type = match often {
                 Some(often) if self.random.chance(25) => often,
+                _ if !takers.is_empty() && self.random.chance(40) => self.random.pick(&takers),
                 _ => {
                     let class = self.random.below(self.classes.len());
                     self.random.pick(&self.classes[class])
@@ -155,6 +157,23 @@ impl<'a> Growing<'a> {
             self.add(node_type);
         }
         self.finish()
+    }
+
+    /// Nodes that make something else of a transform, for a type that yields nothing else: few take one, and
+    /// without them it would seldom reach a root.
+    fn takers(&self, node_type: NodeType) -> Vec<NodeType> {
+        let is_transform = |value_type: Type| value_type == Type::Transform;
+        let outputs = &self.library.signature(node_type).outputs;
+        if !outputs.iter().all(|output| is_transform(output.value_type)) {
+            return Vec::new();
+        }
+        let takes = |signature: &Signature| {
+            signature.kind == Kind::Plain
+                && signature.inputs.iter().any(|input| is_transform(input.value_type))
+                && !is_transform(signature.outputs[0].value_type)
+        };
+        let types = self.library.iter().filter(|(_, definition)| takes(&definition.signature));
+        types.map(|(node_type, _)| node_type).collect()
     }
 
     fn add(&mut self, node_type: NodeType) {

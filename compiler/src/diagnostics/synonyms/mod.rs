@@ -10,6 +10,6 @@ mod tables;
 
 pub use table::{Absent, Called, Synonym, Table};
 pub use tables::{
-    INPUTS, KEYS, NODES, OUTPUTS, ROOTS, SEVERAL, TYPES, input, is_word, key, node, of_node,
+    INPUTS, KEYS, NODES, OUTPUTS, ROOTS, SEVERAL, TYPES, also, input, is_word, key, node, of_node,
     output, root, value_type,
 };

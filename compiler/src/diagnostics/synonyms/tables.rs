@@ -31,8 +31,6 @@ pub const SEVERAL: &[&str] = &[
     "box_mapping",
     "box_projection",
     "fresnel",
-    "reflect",
-    "refract",
     "trace",
     "split",
     "extract",
@@ -42,9 +40,13 @@ pub const SEVERAL: &[&str] = &[
     "swizzle",
     "combine",
     "vector_transform",
-    "rotate",
-    "rotate3d",
     "transformmatrix",
+    "atan",
+    "saturate",
+    "hsl",
+    "lighten",
+    "darken",
+    "difference",
 ];
 
 /// What the name of a node of another program means here; none where it is not known.
@@ -70,6 +72,14 @@ pub fn node(name: &str) -> Option<Synonym> {
 pub fn of_node(ours: &str) -> impl Iterator<Item = &'static str> + use<> {
     let row = NODES.called.iter().find(|row| row.ours == ours);
     row.into_iter().flat_map(Called::names)
+}
+
+/// What else the name of a node of ours means in other programs, such as `gain`.
+pub fn also(ours: &str) -> impl Iterator<Item = &'static str> + use<> {
+    let rows = include_str!("also.txt").lines().filter(|line| !line.starts_with("# "));
+    let mut rows = rows.filter_map(|line| line.split_once(" | "));
+    let row = rows.find(|(name, _)| *name == ours);
+    row.into_iter().flat_map(|(_, others)| others.split_whitespace())
 }
 
 /// What the name of a type of another program means here; none where it is not known.

@@ -1,4 +1,5 @@
-use crate::emit::{Mask, Real};
+use crate::emit::Real;
+use crate::emit::functions::shaping::passage;
 use crate::nodes::finite::{SUMMAND, UNIT};
 
 node! {
@@ -20,10 +21,7 @@ node! {
         result: generic, in UNIT;
     }
     body |e, i| {
-        let step = i.input.less(i.low).select(e.real(0.0), e.real(1.0));
-        let width = i.high - i.low;
-        let t = ((i.input - i.low) / width).saturate();
-        let t = width.equal(e.real(0.0)).select(step, t);
+        let t = passage(i.input, i.low, i.high);
         t * t * (t.mul_add(e.real(-2.0), e.real(3.0)))
     }
 }

@@ -1,4 +1,4 @@
-use crate::emit::{Color, Emit, Mask, Real};
+use crate::emit::functions::colors::from_hsv;
 use crate::nodes::NOT_NEGATIVE;
 use crate::nodes::finite::UNIT;
 
@@ -23,27 +23,9 @@ node! {
         color: color, in NOT_NEGATIVE;
     }
     body |e, i| {
-        let one = e.real(1.0);
-        let sextants = (i.hue - i.hue.floor()) * 6.0;
-        let red = ((sextants - 3.0).absolute() - 1.0).saturate();
-        let green = (e.real(2.0) - (sextants - 2.0).absolute()).saturate();
-        let blue = (e.real(2.0) - (sextants - 4.0).absolute()).saturate();
-        let color = Color {
-            r: component(e, i, red),
-            g: component(e, i, green),
-            b: component(e, i, blue),
-            a: one,
-        };
+        let color = from_hsv([i.hue, i.saturation, i.value], e.real(1.0));
         Outputs { color }
     }
-}
-
-#[inline(always)]
-fn component<E: Emit>(e: E, i: &Inputs<E>, pure: E::Real) -> E::Real {
-    let one = e.real(1.0);
-    // saturation + (1 - saturation) need not round to 1.
-    let kept = pure.mul_add(i.saturation, one - i.saturation);
-    i.value * pure.equal(one).select(one, kept)
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-use crate::emit::Real;
+use crate::emit::functions::colors::luminance;
 use crate::nodes::BLACK;
 use crate::nodes::finite::SUMMAND;
 
@@ -14,10 +14,7 @@ node! {
         /// Its luminance.
         result: scalar;
     }
-    body |e, i| {
-        let (red, green) = (e.real(0.2126), e.real(0.7152));
-        Outputs { result: i.color.r.mul_add(red, i.color.g.mul_add(green, i.color.b * 0.0722)) }
-    }
+    body |e, i| Outputs { result: luminance(i.color) }
 }
 
 #[cfg(test)]

@@ -3,7 +3,8 @@ use crate::nodes::finite::FACTOR;
 
 node! {
     /// Contrast about a pivot, per component: `pivot + (input - pivot) amount`. An amount of 1
-    /// changes nothing, 0 leaves the pivot. A colour keeps its alpha.
+    /// changes nothing, 0 leaves the pivot. MaterialX has a pivot of 0.5, made for encoded colours;
+    /// Blender's is `(1 + c) input + b - c / 2`, clamped at 0. A colour keeps its alpha.
     contrast in color per component,
     source "",
     inputs {
@@ -12,7 +13,7 @@ node! {
         /// The value that stays; 0.18 is middle grey.
         pivot: scalar = 0.18, in FACTOR;
         /// Factor on the distance from the pivot.
-        amount: scalar = 1.0, in 0.0..=100.0;
+        amount: scalar = 1.0, in FACTOR;
     }
     outputs {
         /// The value with its new contrast.

@@ -1,0 +1,48 @@
+use crate::emit::functions::conventions::clamp_finite;
+use crate::emit::{Mask, Real};
+use crate::nodes::finite::FACTOR;
+
+node! {
+    /// What lies outside a mask: `input (1 - mask)`, alpha too. Where the mask is 1 the input
+    /// is not evaluated.
+    outside in compositing generic,
+    source "MaterialX 1.39, outside",
+    inputs {
+        /// The mask.
+        mask: scalar = 0.0, in FACTOR;
+        /// What is cut.
+        input: generic = 0.0, in FACTOR, when i.mask.not_equal(e.real(1.0));
+    }
+    outputs {
+        /// What is left.
+        result: generic;
+    }
+    body |e, i| {
+        let share = e.real(1.0) - i.mask;
+        let (words, zero) = (i.input.to_words(), e.real(0.0));
+        let mut cut = [zero; 4];
+        for k in 0..4 {
+            cut[k] = clamp_finite(words[k] * share);
+        }
+        let none = T::from_words([zero; 4]);
+        Outputs { result: (i.mask.not_equal(e.real(1.0))).select(T::from_words(cut), none) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn alpha_is_cut_too() {
+        for mask in [0.0_f32, 0.25, 1.0] {
+            let color = [1.0, 2.0, 4.0, 0.5];
+            let cut = numbers!(input = color, mask = mask => result);
+            assert_eq!(cut, color.map(|x| x * (1.0 - mask)));
+            assert_eq!(number!(input = 3.0, mask = mask => result), 3.0 * (1.0 - mask));
+        }
+    }
+
+    #[test]
+    fn what_is_cut_away_is_not_evaluated() {
+        assert!(!demanded!(mask = 1.0 => input) && demanded!(mask = 0.5 => input));
+    }
+}

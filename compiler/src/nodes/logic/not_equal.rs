@@ -1,0 +1,32 @@
+use crate::emit::Real;
+
+node! {
+    /// Whether `a` and `b` differ in any bit of their values; true where either is NaN. -0
+    /// equals 0.
+    not_equal in logic,
+    source "",
+    inputs {
+        /// Left number.
+        a: scalar = 0.0;
+        /// Right number.
+        b: scalar = 0.0;
+    }
+    outputs {
+        /// Whether it holds.
+        result: boolean;
+    }
+    body |e, i| Outputs { result: i.a.not_equal(i.b) }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn holds() {
+        let holds = |a: f32, b: f32| truth!(a = a, b = b => result);
+        assert_eq!(
+            [holds(1.0, 2.0), holds(2.0, 2.0), holds(3.0, 2.0), holds(-0.0, 0.0)],
+            [true, false, true, false]
+        );
+        assert_eq!([holds(f32::NAN, 0.0), holds(0.0, f32::NAN)], [true; 2]);
+    }
+}
