@@ -9,7 +9,7 @@ use phenomenon_compiler::state::Iterated;
 use phenomenon_compiler::values::Type;
 
 use super::groups::{Group, first_sentence};
-use super::search::{Hit, Place};
+use super::search::{Found, Hit, Place};
 
 /// Columns of running text.
 const WIDTH: usize = 96;
@@ -29,19 +29,22 @@ pub fn groups(groups: &[Group<'_>]) -> String {
     text
 }
 
-/// The nodes that were found, a line each, with the input or output that has the word.
-pub fn found(hits: &[Hit<'_>]) -> String {
-    let column = hits.iter().map(|hit| hit.node.name.len()).max().unwrap_or(0);
+/// The nodes that were found, a line each, with the input or output that has the word; then what to mind.
+pub fn found(found: &Found<'_>) -> String {
+    let column = found.hits.iter().map(|hit| hit.node.name.len()).max().unwrap_or(0);
     let mut text = String::new();
-    for Hit { node, place } in hits {
+    for Hit { node, place } in &found.hits {
         let place = match place {
             Place::Input(name) => format!(" (input `{name}`)"),
             Place::Output(name) => format!(" (output `{name}`)"),
-            Place::Synonym => " (by another name)".into(),
-            Place::Name | Place::PartOfName | Place::Doc => String::new(),
+            Place::Exact | Place::Called | Place::Also => " (by another name)".into(),
+            Place::Name | Place::PartOfCalled | Place::PartOfName | Place::Doc => String::new(),
         };
         let doc = first_sentence(&node.doc);
         let _ = writeln!(text, "{:column$}  {doc}{place}", node.name);
+    }
+    if !found.advice.is_empty() {
+        let _ = writeln!(text, "\nNote: {}", found.advice);
     }
     text
 }

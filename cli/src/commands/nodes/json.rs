@@ -7,7 +7,7 @@ use phenomenon_compiler::values::{Literal, Type};
 use serde_json::{Map, Value, json};
 
 use super::groups::Group;
-use super::search::Hit;
+use super::search::Found;
 use crate::numbers::number;
 
 /// `{"version":1,"groups":[{"name","doc","nodes":[…]}]}`
@@ -22,10 +22,14 @@ pub fn groups(groups: &[Group<'_>]) -> String {
     format!("{:#}\n", json!({ "version": 1, "groups": groups }))
 }
 
-/// `{"version":1,"nodes":[…]}`, the best first.
-pub fn found(hits: &[Hit<'_>]) -> String {
-    let nodes: Vec<Value> = hits.iter().map(|hit| described(hit.node)).collect();
-    format!("{:#}\n", json!({ "version": 1, "nodes": nodes }))
+/// `{"version":1,"nodes":[…]}`, the best first, with the `advice` there is.
+pub fn found(found: &Found<'_>) -> String {
+    let nodes: Vec<Value> = found.hits.iter().map(|hit| described(hit.node)).collect();
+    let mut object = json!({ "version": 1, "nodes": nodes });
+    if !found.advice.is_empty() {
+        object["advice"] = found.advice.into();
+    }
+    format!("{object:#}\n")
 }
 
 /// `{"version":1,"node":{…}}`

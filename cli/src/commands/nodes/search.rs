@@ -19,8 +19,14 @@ pub struct Hit<'l> {
 pub enum Place<'l> {
     /// It is the name.
     Name,
-    /// It is what others call the node.
-    Synonym,
+    /// It is what others call the node, and nothing else.
+    Exact,
+    /// It is the name of a node of ours that others use for this one.
+    Also,
+    /// It is what others call the node, among other things.
+    Called,
+    /// It is a part of what others call the node.
+    PartOfCalled,
     /// It is a part of the name, or the group.
     PartOfName,
     /// It is the name of an input.
@@ -31,11 +37,19 @@ pub enum Place<'l> {
     Doc,
 }
 
+/// What was found.
+pub struct Found<'l> {
+    /// The nodes, the best first.
+    pub hits: Vec<Hit<'l>>,
+    /// What to mind, or to do instead; may be empty.
+    pub advice: &'static str,
+}
+
 /// The nodes that have all the words, or that others call so, the best first.
 ///
 /// # Errors
-/// There is none.
-pub fn find<'l>(library: &'l NodeLibrary, words: &[String]) -> Result<Vec<Hit<'l>>, Failure> {
+/// There is none: with what to do instead.
+pub fn find<'l>(library: &'l NodeLibrary, words: &[String]) -> Result<Found<'l>, Failure> {
     let query = Query::new(words);
     let nodes = library.iter().map(|(_, definition)| &definition.signature);
     let mut hits: Vec<Hit<'l>> =
@@ -44,7 +58,7 @@ pub fn find<'l>(library: &'l NodeLibrary, words: &[String]) -> Result<Vec<Hit<'l
     if hits.is_empty() {
         return Err(query.without_hits(library));
     }
-    Ok(hits)
+    Ok(Found { hits, advice: query.advice() })
 }
 
 /// What is looked for.
@@ -66,8 +80,8 @@ impl Query {
     }
 
     fn place<'l>(&self, node: &'l Signature) -> Option<Place<'l>> {
-        if *node.name != self.text && means(&self.meant, node) {
-            return Some(Place::Synonym);
+        if let Some(place) = means(&self.text, &self.meant, node) {
+            return Some(place);
         }
         // All words must be there; the worst tells how well they fit.
         let places: Option<Vec<_>> =
@@ -75,30 +89,43 @@ impl Query {
         places?.into_iter().max()
     }
 
+    /// What the tables say to whoever types this.
+    fn advice(&self) -> &'static str {
+        let all = std::iter::once(&self.meant).chain(self.words.iter().map(|(_, it)| it));
+        all.flatten().map(|it| it.advice).find(|advice| !advice.is_empty()).unwrap_or("")
+    }
+
     fn without_hits(&self, library: &NodeLibrary) -> Failure {
-        let advice = std::iter::once(&self.meant).chain(self.words.iter().map(|(_, it)| it));
-        let advice = advice.flatten().map(|it| it.advice).find(|advice| !advice.is_empty());
         let names = library.iter().map(|(_, definition)| &*definition.signature.name);
-        let help = match (advice, nearest(&self.text, names)) {
-            (Some(advice), _) => advice.to_owned(),
-            (None, Some(near)) => near.help(),
-            (None, None) => "`phenomenon nodes` lists all there are".into(),
+        let help = match (self.advice(), nearest(&self.text, names)) {
+            ("", Some(near)) => near.help(),
+            ("", None) => "`phenomenon nodes` lists all there are".into(),
+            (advice, _) => advice.to_owned(),
         };
         Failure::new(format!("--search {}: no node has this", self.text), help)
     }
 }
 
-fn means(synonym: &Option<Synonym>, node: &Signature) -> bool {
-    synonym.as_ref().is_some_and(|synonym| synonym.ours.contains(&&*node.name))
+/// How a name means a node, if it does.
+fn means<'l>(text: &str, meant: &Option<Synonym>, node: &Signature) -> Option<Place<'l>> {
+    if node.name == text {
+        return Some(Place::Name);
+    }
+    if synonyms::also(text).any(|other| other == &*node.name) {
+        return Some(Place::Also);
+    }
+    let synonym = meant.as_ref().filter(|synonym| synonym.ours.contains(&&*node.name))?;
+    Some(if synonym.exact { Place::Exact } else { Place::Called })
 }
 
 fn place<'l>(node: &'l Signature, word: &str, meant: &Option<Synonym>) -> Option<Place<'l>> {
-    let has = |text: &str| text.to_lowercase().contains(word);
-    if node.name == word {
-        return Some(Place::Name);
+    if let Some(place) = means(word, meant, node) {
+        return Some(place);
     }
-    if means(meant, node) {
-        return Some(Place::Synonym);
+    let has = |text: &str| text.to_lowercase().contains(word);
+    // A letter or two are a part of almost any word.
+    if word.len() >= 3 && synonyms::of_node(&node.name).any(has) {
+        return Some(Place::PartOfCalled);
     }
     if has(&node.name) || has(node.group) {
         return Some(Place::PartOfName);
@@ -121,7 +148,9 @@ mod tests {
     fn names(words: &str) -> Vec<String> {
         let library = NodeLibrary::standard();
         let hits = find(&library, &[words.to_owned()]);
-        hits.map_or(Vec::new(), |hits| hits.iter().map(|hit| hit.node.name.to_string()).collect())
+        hits.map_or(Vec::new(), |found| {
+            found.hits.iter().map(|hit| hit.node.name.to_string()).collect()
+        })
     }
 
     #[test]
@@ -145,6 +174,39 @@ mod tests {
         for (_, definition) in NodeLibrary::standard().iter() {
             let name = &definition.signature.name;
             assert_eq!(names(name)[0], **name);
+        }
+    }
+
+    /// What people who come from other programs type first, with what they mean by it: nodes, any of
+    /// which is among the first three, or `!`, for which there is advice.
+    #[test]
+    fn what_is_typed_first_leads_to_what_is_meant() {
+        let library = NodeLibrary::standard();
+        let mut lost = Vec::new();
+        let lines = include_str!("typed.txt").lines().filter(|line| !line.starts_with("# "));
+        for line in lines.clone() {
+            let (typed, meant) = line.split_once(" | ").expect("what is typed, and what is meant");
+            let words = [typed.to_owned()];
+            let first: Vec<String> = find(&library, &words).map_or(Vec::new(), |found| {
+                found.hits.iter().take(3).map(|hit| hit.node.name.to_string()).collect()
+            });
+            let leads = match meant {
+                "!" => !Query::new(&words).advice().is_empty(),
+                _ => meant.split_whitespace().any(|name| first.iter().any(|it| it == name)),
+            };
+            if !leads {
+                lost.push(format!("{typed}: {first:?} is not {meant}"));
+            }
+        }
+        assert!(lines.count() >= 450);
+        assert!(lost.is_empty(), "{}", lost.join("\n"));
+    }
+
+    #[test]
+    fn names_of_ours_that_others_use_otherwise_lead_there_too() {
+        for (typed, meant) in [("gain", "scale"), ("bias", "add"), ("wrap", "modulo")] {
+            let found = names(typed);
+            assert_eq!((&*found[0], &*found[1]), (typed, meant));
         }
     }
 }
