@@ -1,11 +1,9 @@
-//! Fields of the object: a node of another crate reads them, in every engine, and a scene says what they
-//! are.
+//! Fields of the object: in every engine, and a scene says what they are.
 
 use std::sync::Arc;
 
 use phenomenon_compiler::effects::{Answer, Ray, Renderer, Trace};
-use phenomenon_compiler::nodes::{Definition, NodeLibrary};
-use phenomenon_compiler::state::{Field, Hit, Object, State};
+use phenomenon_compiler::state::{Hit, Object, State};
 use phenomenon_compiler::testing::build::{Build, Built, every_engine};
 use phenomenon_compiler::testing::mock::MockRenderer;
 use phenomenon_runtime::camera::Camera;
@@ -15,20 +13,13 @@ use phenomenon_runtime::scene::SceneBuilder;
 
 /// The colour (id, random, the point's x), id and random from the object.
 fn told() -> Built {
-    let mut library = NodeLibrary::standard();
-    let fields = [Field::ObjectId, Field::ObjectRandom].map(|field| (field.name(), field));
-    library.add(Definition::of_fields("object", "The object.", fields));
-    let mut build = Build::with(library);
+    let mut build = Build::new();
     let object = build.node("object", &[]);
     let state = build.node("state", &[]);
     let point = build.node("split_vector", &[("vector", state.output("point"))]);
     let color = build.node(
         "combine_color",
-        &[
-            ("r", object.output("object_id")),
-            ("g", object.output("object_random")),
-            ("b", point.first()),
-        ],
+        &[("r", object.output("id")), ("g", object.output("random")), ("b", point.first())],
     );
     build.material(color.first())
 }

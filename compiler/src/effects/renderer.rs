@@ -28,7 +28,7 @@ pub trait Renderer {
     /// Traces `rays`, each from one of the `states`, and writes one answer each.
     fn trace(&mut self, trace: Trace, states: &[State], rays: &[Ray], answers: &mut [Answer]);
 
-    /// The objects that states name.
+    /// The objects that states name, their surfaces, and the camera.
     fn objects(&self) -> Objects<'_> {
         Objects::default()
     }

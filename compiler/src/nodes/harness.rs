@@ -1,11 +1,11 @@
 //! What the tests in files of nodes use: a body evaluated for one point, inputs by name.
 
 use super::{DefaultValue, Definition, Overload};
-use crate::state::State;
+use crate::state::{Objects, Place};
 use crate::values::{Literal, Type};
 
 /// The numbers of an output: `numbers!(a = 1.0, b = 2.0 => result)`. Inputs that are not given have
-/// their defaults, over the default state.
+/// their defaults, over the default place.
 #[macro_export]
 macro_rules! numbers {
     ($($input:ident = $value:expr),* => $output:ident) => {
@@ -144,7 +144,8 @@ fn words(definition: &Definition, overload: &Overload, given: &[(&str, Literal)]
             DefaultValue::State(field) => {
                 let first = words.len();
                 words.resize(first + value_type.width(), 0);
-                field.read(&State::default(), &mut words[first..]);
+                let place = Place::default();
+                Objects::of_place(&place).read(*field, &place.state, &mut words[first..]);
             }
             DefaultValue::Required | DefaultValue::Node(_) => {
                 words.extend(std::iter::repeat_n(0, value_type.width()));

@@ -117,6 +117,17 @@ nodes! {
     shading { lambert }
     /// Nodes that evaluate an input under a changed state, or many times.
     scopes { at_point, at_uv, chain, light_loop, perturb_normal }
+    /// Tangent, bitangent and normal: directions in a surface.
+    frames {
+        frame_from_derivatives, frame_from_direction, frame_from_normal, vector_from_frame, vector_to_frame,
+    }
+    /// Loops over samples, and what is drawn in them.
+    samples {
+        direction_cone, direction_hemisphere, direction_sphere, glossy_reflection_direction,
+        glossy_refraction_direction, point_on_disc, sample_loop, stratified_sample,
+    }
+    /// The spaces of objects, scene, camera and picture.
+    spaces { screen_to_world, transform_space, world_to_screen }
     /// What is known about the point that is shaded.
-    state { light, state }
+    state { camera_space, light, object, object_space, sample, state }
 }

@@ -53,7 +53,7 @@ pub enum DefinitionError {
     /// The node does not have the inputs and the output of its loop.
     #[error(
         "`{node}` loops over {over} samples, so its inputs have to be ({expected}) and a scoped one, \
-         without guards, of the type of its one output: scalar, vector or color, and color if turns \
+         without guards, of the type of its one output: scalar, vector, color or generic, and color if turns \
          are laid over each other"
     )]
     Loop {
@@ -247,7 +247,10 @@ fn check_loop(
         (Some((body, taken)), [output]) => {
             let reduced = match reduction {
                 Reduction::Over => output.value_type == Type::Color,
-                _ => matches!(output.value_type, Type::Scalar | Type::Vector | Type::Color),
+                _ => matches!(
+                    output.value_type,
+                    Type::Scalar | Type::Vector | Type::Color | Type::Generic
+                ),
             };
             let alike = body.scoped && body.value_type == output.value_type && reduced;
             let no_guard = signature.inputs.iter().all(|input| !input.guarded);

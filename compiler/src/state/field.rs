@@ -7,11 +7,12 @@ use crate::values::Type;
 
 use super::held::Held;
 use super::iterated::Iterated;
-use super::object::Object;
+use super::known::Known;
+use super::place::Place;
 use super::shading_point::State;
 
-/// Declares the fields: name, type, range, and where the state or its object holds it, or which loop
-/// provides it.
+/// Declares the fields: name, type, range, and where the state, its object, the surface there or the
+/// camera holds it, or which loop provides it.
 macro_rules! fields {
     ($($(#[doc = $doc:literal])+ $variant:ident $name:literal $type:ident $(in $range:expr)?, $how:tt $place:tt;)+) => {
         /// A field of the state that nodes can read.
@@ -54,32 +55,32 @@ macro_rules! fields {
                 match self { $(Field::$variant => fields!(@range $($range)?),)+ }
             }
 
-            /// The loop that provides it; none for those of the point and its object.
-            pub fn of_loop(self) -> Option<Iterated> {
-                match self { $(Field::$variant => fields!(@loop $how $place),)+ }
+            /// Who holds it.
+            pub const fn holder(self) -> Holder {
+                match self { $(Field::$variant => fields!(@holder $how $place),)+ }
             }
 
-            /// Whether it is of the object, not of the point: the same all over it, and looked up through
-            /// [`Objects`](super::Objects).
-            pub const fn of_object(self) -> bool {
-                match self { $(Field::$variant => fields!(@of_object $how),)+ }
-            }
-
-            /// Writes its words as they are in its object; zeros for those that no object holds.
+            /// Writes its words as they are in what is known round a point; zeros for those of the state
+            /// itself and of loops.
             #[inline]
-            pub fn read_of(self, object: &Object, words: &mut [u32]) {
-                match self { $(Field::$variant => fields!(@read_of $how $place, object, words),)+ }
+            pub fn look_up(self, known: &Known<'_>, words: &mut [u32]) {
+                match self { $(Field::$variant => fields!(@look_up $how $place, known, words),)+ }
             }
 
-            /// Writes its words, [`Field::value_type`] wide, as they are in `state`; zeros for those of
-            /// loops and objects, which no state holds.
+            /// Sets the field of a place from its words; those of loops are not kept.
+            pub fn put(self, place: &mut Place, words: &[u32]) {
+                match self { $(Field::$variant => fields!(@put $how $place, place, words),)+ }
+            }
+
+            /// Writes its words, [`Field::value_type`] wide, as they are in `state`; zeros for those that
+            /// no state holds.
             #[inline]
             pub fn read(self, state: &State, words: &mut [u32]) {
                 match self { $(Field::$variant => fields!(@read $how $place, state, words),)+ }
             }
 
-            /// Writes its words of up to eight states, each in a lane of its own; nothing for those of
-            /// loops and objects.
+            /// Writes its words of up to eight states, each in a lane of its own; nothing for
+            /// those that no state holds.
             #[inline]
             pub fn gather(self, states: &[State], lanes: &mut [Lanes]) {
                 match self { $(Field::$variant => {
@@ -88,7 +89,7 @@ macro_rules! fields {
                 })+ }
             }
 
-            /// Sets the field from its words; those of loops and objects are not kept.
+            /// Sets the field from its words; those that no state holds are not kept.
             #[inline]
             pub fn write(self, state: &mut State, words: &[u32]) {
                 match self { $(Field::$variant => fields!(@write $how $place, state, words),)+ }
@@ -97,15 +98,26 @@ macro_rules! fields {
     };
     (@range) => { None };
     (@range $range:expr) => { Some($range) };
-    (@loop held $place:tt) => { None };
-    (@loop object $place:tt) => { None };
-    (@of_object object) => { true };
-    (@of_object $how:ident) => { false };
-    (@read_of object ($($place:tt)+), $object:ident, $words:ident) => {
-        $object.$($place)+.read($words)
+    (@holder held $place:tt) => { Holder::State };
+    (@holder object $place:tt) => { Holder::Object };
+    (@holder surface $place:tt) => { Holder::Surface };
+    (@holder camera $place:tt) => { Holder::Camera };
+    (@holder of $loop:ident) => { Holder::Loop(Iterated::$loop) };
+    (@look_up object ($($place:tt)+), $known:ident, $words:ident) => {
+        $known.object.$($place)+.read($words)
     };
-    (@read_of $how:ident $place:tt, $object:ident, $words:ident) => { $words.fill(0) };
-    (@loop of $loop:ident) => { Some(Iterated::$loop) };
+    (@look_up surface ($place:ident $($part:tt)*), $known:ident, $words:ident) => {
+        $known.surfaces.$place($known.state)$($part)*.read($words)
+    };
+    (@look_up camera ($($place:tt)+), $known:ident, $words:ident) => {
+        $known.camera.$($place)+.read($words)
+    };
+    (@look_up $how:ident $place:tt, $known:ident, $words:ident) => { $words.fill(0) };
+    (@put held ($($part:tt)+), $place:ident, $words:ident) => { $place.state.$($part)+.write($words) };
+    (@put object ($($part:tt)+), $place:ident, $words:ident) => { $place.object.$($part)+.write($words) };
+    (@put surface ($($part:tt)+), $place:ident, $words:ident) => { $place.surface.$($part)+.write($words) };
+    (@put camera ($($part:tt)+), $place:ident, $words:ident) => { $place.camera.$($part)+.write($words) };
+    (@put of $loop:ident, $place:ident, $words:ident) => { () };
     (@read held ($($place:tt)+), $state:ident, $words:ident) => { $state.$($place)+.read($words) };
     (@read $how:ident $place:tt, $state:ident, $words:ident) => { $words.fill(0) };
     (@gather held ($($place:tt)+), $width:ident, $states:ident, $lanes:ident) => {
@@ -122,6 +134,21 @@ macro_rules! fields {
     }};
     (@write held ($($place:tt)+), $state:ident, $words:ident) => { $state.$($place)+.write($words) };
     (@write $how:ident $place:tt, $state:ident, $words:ident) => { () };
+}
+
+/// Who holds a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Holder {
+    /// The state of the point: scopes may change it.
+    State,
+    /// The object the point is on: the same all over it.
+    Object,
+    /// The surface at the point: worked out where something reads it.
+    Surface,
+    /// The camera: the same everywhere.
+    Camera,
+    /// A turn of a loop over these.
+    Loop(Iterated),
 }
 
 /// Components of unit vectors.
@@ -174,10 +201,30 @@ fields! {
     RefractionLevel "refraction_level" Integer in COUNT, held (refraction_level);
     /// Colour handed on by the shader before in the list of a root; for the first what the renderer starts from: white for shadows, else zero.
     Incoming "incoming" Color, held (incoming);
+    /// How the point moves with u, in scene units: the derivative of the surface, not of unit length; 0 where there is no surface.
+    DerivativeU "derivative_u" Vector, surface (derivative_u);
+    /// How the point moves with v, in scene units: the derivative of the surface, not of unit length; 0 where there is no surface.
+    DerivativeV "derivative_v" Vector, surface (derivative_v);
+    /// Colour of the mesh there, between those of its vertices; white where it has none.
+    VertexColor "vertex_color" Color, surface (vertex_color);
+    /// First coordinate of the second set; the first set where a surface has one only.
+    SecondU "second_u" Scalar, surface (second_uv[0]);
+    /// Second coordinate of the second set; the first set where a surface has one only.
+    SecondV "second_v" Scalar, surface (second_uv[1]);
     /// Number of the object, from 1 in the order of the scene; 0 where there is none.
     ObjectId "object_id" Integer in COUNT, object (id);
     /// A number of the object's own, 0 to below 1; 0 where there is none.
     ObjectRandom "object_random" Scalar in 0.0..=1.0, object (random);
+    /// From the space of the object to that of the scene.
+    ObjectToWorld "object_to_world" Transform, object (to_world);
+    /// From the space of the scene to that of the object.
+    WorldToObject "world_to_object" Transform, object (to_object);
+    /// From the space of the camera to that of the scene: x to the right, y up, and -z is looked along.
+    CameraToWorld "camera_to_world" Transform, camera (to_world);
+    /// From the space of the scene to that of the camera.
+    WorldToCamera "world_to_camera" Transform, camera (to_camera);
+    /// Half the height of what the camera sees at distance 1: the tangent of half its field of view.
+    CameraHeight "camera_height" Scalar in DISTANCE, camera (height);
     /// Unit direction towards the light sample; only inside a light loop.
     LightDirection "light_direction" Vector in UNIT, of Lights;
     /// Distance to the light sample, 0 for one at infinity; only inside a light loop.
@@ -192,8 +239,16 @@ fields! {
 
 impl Field {
     /// Whether a state holds it.
-    pub fn of_point(self) -> bool {
-        self.of_loop().is_none() && !self.of_object()
+    pub const fn of_point(self) -> bool {
+        matches!(self.holder(), Holder::State)
+    }
+
+    /// The loop that provides it; none for those of points.
+    pub const fn of_loop(self) -> Option<Iterated> {
+        match self.holder() {
+            Holder::Loop(iterated) => Some(iterated),
+            _ => None,
+        }
     }
 
     /// The field called `name` in graph files.

@@ -1,16 +1,38 @@
 //! What is known of an object as a whole.
 
 /// What is the same at every point of an object. States do not carry it: they name their object.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Object {
     /// Its number, from 1 in the order of the scene; 0 for none.
     pub id: i32,
     /// A number of its own, 0 to below 1, without order from one object to the next.
     pub random: f32,
+    /// From its own space to that of the scene.
+    pub to_world: [f32; 16],
+    /// From the space of the scene to its own.
+    pub to_object: [f32; 16],
+}
+
+/// The map that moves nothing: rows are where the axes go, the last is the translation.
+#[rustfmt::skip]
+pub const IDENTITY: [f32; 16] = [
+    1.0, 0.0, 0.0, 0.0,
+    0.0, 1.0, 0.0, 0.0,
+    0.0, 0.0, 1.0, 0.0,
+    0.0, 0.0, 0.0, 1.0,
+];
+
+impl Default for Object {
+    fn default() -> Self {
+        Self::NONE
+    }
 }
 
 impl Object {
-    /// The object at a position in a scene.
+    /// What stands for the object where there is none: its space is that of the scene.
+    pub const NONE: Self = Self { id: 0, random: 0.0, to_world: IDENTITY, to_object: IDENTITY };
+
+    /// The object at a position in a scene, in its own place.
     pub fn at(position: u32) -> Self {
         // The finaliser of MurmurHash3: each bit of the position turns half of the bits.
         let mut hash = position.wrapping_add(1);
@@ -18,7 +40,8 @@ impl Object {
         hash = (hash ^ hash >> 13).wrapping_mul(0xc2b2_ae35);
         hash ^= hash >> 16;
         let random = (hash >> 8) as f32 / 16_777_216.0;
-        Self { id: position.saturating_add(1).min(i32::MAX as u32) as i32, random }
+        let id = position.saturating_add(1).min(i32::MAX as u32) as i32;
+        Self { id, random, ..Self::NONE }
     }
 }
 

@@ -1,5 +1,7 @@
 //! What bodies and conditions keep to, in all their forms.
 
+use std::collections::HashMap;
+
 use crate::kernels::BodyForms;
 use crate::nodes::{Definition, Input, Kind, Overload, harness::settled};
 use crate::values::Type;
@@ -91,6 +93,7 @@ pub fn guards_agree_in_all_forms_and_look_at_earlier_inputs_only(subjects: &Subj
 /// # Panics
 /// If that does not hold.
 pub fn undemanded_inputs_do_not_show(subjects: &Subjects) {
+    let mut closes: HashMap<(String, Option<Type>, bool), bool> = HashMap::new();
     each_body(subjects, |definition, overload, code| {
         for anywhere in [false, true] {
             let mut trial = Trial::new(definition, overload, anywhere);
@@ -112,10 +115,17 @@ pub fn undemanded_inputs_do_not_show(subjects: &Subjects) {
             for (at, (before, after)) in before.iter().zip(&after).enumerate() {
                 assert_eq!(before, after, "{} at {:x?}", trial.name, trial.points[at]);
             }
+            // What is known before shading may hold a condition open in one form and close it in another.
             let guarded = overload.guards.iter().any(Option::is_some);
-            assert_eq!(guarded, hidden > 0, "{}: its guards never close", trial.name);
+            let name = definition.signature.name.to_string();
+            let closes = closes.entry((name, overload.generic, anywhere)).or_insert(!guarded);
+            *closes |= hidden > 0;
+            assert!(guarded || hidden == 0, "{}", trial.name);
         }
     });
+    for (of, closes) in closes {
+        assert!(closes, "{of:?}: its guards never close");
+    }
 }
 
 /// The inputs of one component: of generic ones that word, of others all.

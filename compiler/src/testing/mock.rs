@@ -5,7 +5,7 @@ use crate::effects::{
     Answer, Effect, LightList, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId,
     Trace,
 };
-use crate::state::{Field, Object, Objects, State};
+use crate::state::{Camera, Field, Object, Objects, State, Surfaces};
 use crate::values::{Texture, Type};
 
 use super::random::{Random, canonical, mixed};
@@ -84,6 +84,39 @@ fn record(effect: Effect, state: &State, ray: &Ray) -> Record {
     record
 }
 
+/// Surfaces that differ from point to point, as nothing else tells.
+struct Folded;
+
+impl Folded {
+    fn random(state: &State, salt: u32) -> Random {
+        Random::new(hash([salt, state.hit.instance, state.hit.primitive]))
+    }
+}
+
+impl Surfaces for Folded {
+    fn derivative_u(&self, state: &State) -> [f32; 3] {
+        Folded::random(state, 1).vector()
+    }
+    fn derivative_v(&self, state: &State) -> [f32; 3] {
+        Folded::random(state, 2).vector()
+    }
+    fn vertex_color(&self, state: &State) -> [f32; 4] {
+        let mut random = Folded::random(state, 3);
+        [0; 4].map(|_| random.number())
+    }
+    fn second_uv(&self, state: &State) -> [f32; 2] {
+        let mut random = Folded::random(state, 4);
+        [0; 2].map(|_| random.number())
+    }
+}
+
+/// A camera that is turned, and not at the origin.
+const CAMERA: Camera = Camera {
+    to_world: [0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 3.0, -2.0, 0.5, 1.0],
+    to_camera: [0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.5, 2.0, -3.0, 1.0],
+    height: 0.375,
+};
+
 impl Renderer for MockRenderer {
     fn trace(&mut self, trace: Trace, states: &[State], rays: &[Ray], answers: &mut [Answer]) {
         assert_eq!(rays.len(), answers.len());
@@ -104,7 +137,7 @@ impl Renderer for MockRenderer {
     }
 
     fn objects(&self) -> Objects<'_> {
-        Objects(&self.objects)
+        Objects { objects: &self.objects, surfaces: &Folded, camera: &CAMERA }
     }
 
     fn texture(&mut self, texture: &Texture) -> TextureId {

@@ -329,16 +329,25 @@ impl<'a> Growing<'a> {
     /// A loop round a colour.
     fn looped(&mut self, iterated: Iterated, body: Binding) -> usize {
         let mut types = self.library.iter();
-        let found = types.find(|(_, Definition { signature, .. })| {
-            over(signature) == Some(iterated) && signature.outputs[0].value_type == Type::Color
+        let of_colors = |definition: &Definition| match definition.signature.outputs[0].value_type {
+            Type::Color => Some(0),
+            Type::Generic => {
+                definition.overloads.iter().position(|form| form.generic == Some(Type::Color))
+            }
+            _ => None,
+        };
+        let found = types.find_map(|(node_type, definition)| {
+            let overload = of_colors(definition)?;
+            let fits = over(&definition.signature) == Some(iterated);
+            fits.then_some((node_type, definition, overload))
         });
-        let (node_type, definition) =
+        let (node_type, definition, overload) =
             found.expect("what reads a turn comes with a loop of colours");
         let inputs = definition.signature.inputs.iter();
         let inputs = inputs.map(|input| if input.scoped { body.clone() } else { Binding::Default });
         let inputs = inputs.collect();
         let name = format!("n{}", self.nodes.len());
-        let node = Node { name, node_type, overload: 0, inputs };
+        let node = Node { name, node_type, overload, inputs };
         let facts = self.facts(&node, vec![Type::Color], true);
         self.nodes.push(node);
         self.facts.push(facts);

@@ -146,7 +146,10 @@ fn hold_knowing(name: &str, code: &BodyForms, types: &[Type], fixed: &[(usize, i
         let names: Vec<u64> = (0..types.len())
             .map(|at| {
                 let other = random.below(types.len());
-                if random.below(4) == 0 && types[other] == types[at] { other } else { at }
+                // What is known before shading is a word of its own.
+                let free = |at: usize| fixed.iter().all(|(word, _)| *word != at);
+                let same = types[other] == types[at] && free(other) && free(at);
+                if random.below(4) == 0 && same { other } else { at }
             })
             .map(|at| at as u64 + 1)
             .collect();

@@ -1,8 +1,9 @@
 //! The pinhole camera.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
+use phenomenon_compiler::state;
 
-use crate::geometry::COORDINATE_LIMIT;
+use crate::geometry::{COORDINATE_LIMIT, Transform};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,6 +65,19 @@ impl Camera {
         Ok(Self { position, forward, right: right * half_height, up })
     }
 
+    /// What shaders can know of it.
+    pub fn known(&self) -> state::Camera {
+        let height = self.right.length();
+        let axes = DMat3::from_cols(self.right / height, self.up / height, -self.forward);
+        let to_world = Transform { linear: axes, translation: self.position };
+        let to_camera = to_world.inverse();
+        state::Camera {
+            to_world: to_world.rows(),
+            to_camera: to_camera.rows(),
+            height: height as f32,
+        }
+    }
+
     /// Origin and unit direction of the ray through a point of the film, in pixels from the top
     /// left of a film of `width` by `height` pixels.
     pub fn ray(&self, film: [f32; 2], width: u32, height: u32) -> ([f32; 3], [f32; 3]) {
@@ -89,6 +103,21 @@ mod tests {
         assert!((top[1] - half).abs() < 1e-6 && (top[2] + half).abs() < 1e-6, "{top:?}");
         let right = camera.ray([4.0, 1.0], 4, 2).1;
         assert!(right[0] > 0.8 && right[1] == 0.0);
+    }
+
+    #[test]
+    fn its_space_has_x_to_the_right_y_up_and_z_towards_the_viewer() {
+        let camera = Camera::new([1.0, 2.0, 3.0], [5.0, 2.0, 3.0], [0.0, 7.0, 0.0], 90.0).unwrap();
+        let known = camera.known();
+        let rows = [
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 1.0, 0.0, 0.0],
+            [-1.0, 0.0, 0.0, 0.0],
+            [1.0, 2.0, 3.0, 1.0],
+        ];
+        assert_eq!(known.to_world, rows.as_flattened());
+        assert!((known.height - 1.0).abs() < 1e-7);
+        assert_eq!(known.to_camera[12..], [-3.0, -2.0, 1.0, 1.0]);
     }
 
     #[test]

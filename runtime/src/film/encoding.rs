@@ -13,7 +13,7 @@ pub fn srgb_encoded(linear: f32) -> f32 {
     }
 }
 
-/// Decodes an encoded value in 0..=1.
+/// Decodes an encoded value in 0..=1; what is beyond goes on as the function does.
 pub fn srgb_decoded(encoded: f32) -> f32 {
     if encoded <= 0.040_45 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
 }

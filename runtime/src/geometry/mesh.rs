@@ -18,6 +18,10 @@ pub struct Mesh {
     pub normals: Vec<[f32; 3]>,
     /// Surface coordinates, one per position, or none: barycentric weights.
     pub uvs: Vec<[f32; 2]>,
+    /// Scene-linear colours, one per position, or none: white.
+    pub colors: Vec<[f32; 3]>,
+    /// A second set of surface coordinates, those of each triangle's corners, or none: the first set.
+    pub second_uvs: Vec<[[f32; 2]; 3]>,
     /// Vertices of the triangles, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
 }
@@ -48,20 +52,30 @@ pub enum MeshError {
         /// Where it lies.
         position: [f32; 3],
     },
-    /// Normals or surface coordinates do not match the vertices.
+    /// Normals, surface coordinates or colours do not match the vertices.
     #[error("the mesh has {count} {what} for {vertices} vertices")]
     CountMismatch {
-        /// `normals` or `surface coordinates`.
+        /// `normals`, `surface coordinates` or `colours`.
         what: &'static str,
         /// How many there are.
         count: usize,
         /// How many there should be.
         vertices: usize,
     },
-    /// A normal or a surface coordinate is not finite.
+    /// The second set of surface coordinates is not for its triangles.
+    #[error(
+        "the mesh has second surface coordinates for {count} triangles, and {triangles} triangles"
+    )]
+    SecondSet {
+        /// For how many triangles it is.
+        count: usize,
+        /// How many there are.
+        triangles: usize,
+    },
+    /// A normal, a surface coordinate or a colour is not finite.
     #[error("vertex {vertex} has {what} that are not finite")]
     NotFinite {
-        /// `normals` or `surface coordinates`.
+        /// `normals`, `surface coordinates` or `colours`.
         what: &'static str,
         /// The vertex, from 0.
         vertex: usize,
@@ -98,6 +112,10 @@ fn copied<T: Copy>(list: &[T]) -> Result<Vec<T>, MeshError> {
     Ok(copy)
 }
 
+fn finite(numbers: &[f32]) -> bool {
+    numbers.iter().all(|x| x.is_finite())
+}
+
 impl Mesh {
     /// Checks that every index, number and count is usable.
     pub fn validate(&self) -> Result<(), MeshError> {
@@ -105,21 +123,31 @@ impl Mesh {
             return Err(MeshError::Empty);
         }
         let vertices = self.positions.len();
-        for (what, count) in
-            [("normals", self.normals.len()), ("surface coordinates", self.uvs.len())]
-        {
+        for (what, count) in [
+            ("normals", self.normals.len()),
+            ("surface coordinates", self.uvs.len()),
+            ("colours", self.colors.len()),
+        ] {
             if count != 0 && count != vertices {
                 return Err(MeshError::CountMismatch { what, count, vertices });
             }
+        }
+        let (count, triangles) = (self.second_uvs.len(), self.triangles.len());
+        if count != 0 && count != triangles {
+            return Err(MeshError::SecondSet { count, triangles });
         }
         for (triangle, indices) in self.triangles.iter().enumerate() {
             if let Some(&vertex) = indices.iter().find(|&&vertex| vertex as usize >= vertices) {
                 return Err(MeshError::IndexOutOfRange { triangle, vertex, count: vertices });
             }
         }
-        let normal = self.normals.iter().position(|of| !of.iter().all(|x| x.is_finite()));
-        let uv = self.uvs.iter().position(|of| !of.iter().all(|x| x.is_finite()));
-        for (what, found) in [("normals", normal), ("surface coordinates", uv)] {
+        let at = |triangle: usize| self.triangles[triangle][0] as usize;
+        let second = self.second_uvs.iter().position(|of| !finite(of.as_flattened())).map(at);
+        for (what, found) in [
+            ("normals", self.normals.iter().position(|of| !finite(of))),
+            ("surface coordinates", self.uvs.iter().position(|of| !finite(of)).or(second)),
+            ("colours", self.colors.iter().position(|of| !finite(of))),
+        ] {
             if let Some(vertex) = found {
                 return Err(MeshError::NotFinite { what, vertex });
             }
@@ -133,6 +161,18 @@ impl Mesh {
         }
     }
 
+    /// A copy, if there is memory for it.
+    pub(super) fn copied(&self) -> Result<Mesh, MeshError> {
+        Ok(Mesh {
+            positions: copied(&self.positions)?,
+            normals: copied(&self.normals)?,
+            uvs: copied(&self.uvs)?,
+            colors: copied(&self.colors)?,
+            second_uvs: copied(&self.second_uvs)?,
+            triangles: copied(&self.triangles)?,
+        })
+    }
+
     /// The mesh in world space. Triangles keep their outside when the transform mirrors; where the
     /// mesh has normals, they decide which side is outside.
     pub fn transformed(&self, transform: &Transform) -> Result<Mesh, MeshError> {
@@ -140,12 +180,7 @@ impl Mesh {
         if !transform.is_regular() {
             return Err(MeshError::IrregularTransform);
         }
-        let mut mesh = Mesh {
-            positions: copied(&self.positions)?,
-            normals: copied(&self.normals)?,
-            uvs: copied(&self.uvs)?,
-            triangles: copied(&self.triangles)?,
-        };
+        let mut mesh = self.copied()?;
         for position in &mut mesh.positions {
             *position = single(transform.point(double(*position)));
         }
@@ -153,9 +188,7 @@ impl Mesh {
             *normal = unit(transform.normal(double(*normal))).map_or([0.0; 3], single);
         }
         if transform.mirrors() {
-            for triangle in &mut mesh.triangles {
-                triangle.swap(1, 2);
-            }
+            (0..mesh.triangles.len()).for_each(|number| mesh.turn(number));
         }
         mesh.validate()?;
         if (0..mesh.triangles.len()).all(|number| is_flat(mesh.vertices(number))) {
@@ -212,12 +245,21 @@ impl Mesh {
         if self.normals.is_empty() {
             return;
         }
-        for triangle in &mut self.triangles {
+        for number in 0..self.triangles.len() {
+            let triangle = self.triangles[number];
             let [a, b, c] = triangle.map(|vertex| double(self.positions[vertex as usize]));
             let mean: DVec3 = triangle.iter().map(|&v| double(self.normals[v as usize])).sum();
             if (b - a).cross(c - a).dot(mean) < 0.0 {
-                triangle.swap(1, 2);
+                self.turn(number);
             }
+        }
+    }
+
+    /// Swaps the winding of a triangle.
+    fn turn(&mut self, number: usize) {
+        self.triangles[number].swap(1, 2);
+        if let Some(uvs) = self.second_uvs.get_mut(number) {
+            uvs.swap(1, 2);
         }
     }
 
@@ -259,6 +301,7 @@ impl Mesh {
             normals: Vec::new(),
             uvs: vec![[0.0, 1.0], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0]],
             triangles: vec![[0, 1, 2], [0, 2, 3]],
+            ..Mesh::default()
         }
     }
 }

@@ -6,13 +6,14 @@ use glam::DVec3;
 
 use super::mesh::Mesh;
 use super::primitive::{Primitive, RawHit};
+use super::sphere::Sphere;
 use super::vector::{double, single, unit};
 
 /// The shape of an object.
 #[derive(Clone, Debug)]
 pub enum Shape {
-    /// One sphere.
-    Sphere,
+    /// One sphere, in world space.
+    Sphere(Sphere),
     /// A mesh, its normals in world space.
     Mesh(Arc<Mesh>),
 }
@@ -61,7 +62,7 @@ impl Surface {
                 let normal_geom = unit((b - a).cross(c - a)).unwrap_or(-direction);
                 let (normal, uv) = match shape {
                     Shape::Mesh(mesh) => mesh.attributes(number, weights, normal_geom),
-                    Shape::Sphere => (normal_geom, [hit.b1 as f32, hit.b2 as f32]),
+                    Shape::Sphere(_) => (normal_geom, [hit.b1 as f32, hit.b2 as f32]),
                 };
                 Surface {
                     point: single(point),

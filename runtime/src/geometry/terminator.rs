@@ -8,6 +8,7 @@
 
 use glam::DVec3;
 
+use super::barycentric::weights;
 use super::mesh::Mesh;
 use super::vector::double;
 
@@ -20,9 +21,6 @@ pub enum ShadowTerminator {
     /// As on its triangles.
     Facets,
 }
-
-/// How far from a triangle, in parts of its size, a point may lie to be taken for one of it.
-const OFF_TRIANGLE: f64 = 1e-5;
 
 impl Mesh {
     /// The point of triangle `number` lifted onto the round surface, on the outer side or, seen from
@@ -42,20 +40,6 @@ impl Mesh {
         }
         point + lift
     }
-}
-
-/// The barycentric weights of a point of a triangle; none for other points.
-fn weights([a, b, c]: [DVec3; 3], point: DVec3) -> Option<[f64; 3]> {
-    let normal = (b - a).cross(c - a);
-    let squared = normal.length_squared();
-    let v = (point - a).cross(c - a).dot(normal) / squared;
-    let w = (b - a).cross(point - a).dot(normal) / squared;
-    let weights = [1.0 - v - w, v, w];
-    let [x, y, z] = weights;
-    let off = (a * x + b * y + c * z - point).length();
-    let within = weights.iter().all(|weight| *weight >= -OFF_TRIANGLE);
-    let size = (b - a).length().max((c - a).length());
-    (within && off <= size * OFF_TRIANGLE).then_some(weights)
 }
 
 #[cfg(test)]

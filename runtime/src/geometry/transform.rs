@@ -37,6 +37,28 @@ impl Transform {
         Self { linear: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
     }
 
+    /// The map back; not of numbers for a map that flattens space.
+    pub fn inverse(&self) -> Self {
+        let linear = self.linear.inverse();
+        Self { linear, translation: -(linear * self.translation) }
+    }
+
+    /// The map of the rows that graphs see.
+    pub fn of_graph_rows(rows: &[f32; 16]) -> Self {
+        let row = |at: usize| DVec3::new(rows[at].into(), rows[at + 1].into(), rows[at + 2].into());
+        Self { linear: DMat3::from_cols(row(0), row(4), row(8)), translation: row(12) }
+    }
+
+    /// The rows that graphs see, rounded to 32 bits: where the axes go, then the origin.
+    pub fn rows(&self) -> [f32; 16] {
+        let Self { linear: DMat3 { x_axis, y_axis, z_axis }, translation } = *self;
+        let rows = [(x_axis, 0.0), (y_axis, 0.0), (z_axis, 0.0), (translation, 1.0)];
+        let rows = rows.map(|(row, last)| [row.x as f32, row.y as f32, row.z as f32, last]);
+        let mut all = [0.0; 16];
+        all.copy_from_slice(rows.as_flattened());
+        all
+    }
+
     /// Where a point goes.
     pub fn point(&self, point: DVec3) -> DVec3 {
         self.linear * point + self.translation
@@ -104,6 +126,18 @@ mod tests {
         let transform = Transform::new([2.0; 3], [0.0, 0.0, 90.0], [1.0, 0.0, 0.0]);
         assert_eq!(transform.point(DVec3::X), DVec3::new(1.0, 2.0, 0.0));
         assert_eq!(transform.uniform_scale(), Some(2.0));
+    }
+
+    #[test]
+    fn the_inverse_leads_back_and_rows_are_where_the_axes_go() {
+        let transform = Transform::new([2.0, -3.0, 0.5], [10.0, 20.0, 30.0], [1.0, 2.0, 3.0]);
+        let point = DVec3::new(0.3, -7.0, 4.0);
+        let back = transform.inverse().point(transform.point(point));
+        assert!((back - point).length() < 1e-14);
+        assert_eq!(Transform::of_graph_rows(&transform.rows()).rows(), transform.rows());
+        let rows = Transform::new([2.0; 3], [0.0, 0.0, 90.0], [1.0, 0.5, 0.0]).rows();
+        assert_eq!(rows[..8], [0.0, 2.0, 0.0, 0.0, -2.0, 0.0, 0.0, 0.0]);
+        assert_eq!(rows[8..], [0.0, 0.0, 2.0, 0.0, 1.0, 0.5, 0.0, 1.0]);
     }
 
     #[test]

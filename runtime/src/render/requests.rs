@@ -31,7 +31,8 @@ impl Renderer for Context<'_> {
     }
 
     fn objects(&self) -> Objects<'_> {
-        Objects(&self.scene.known_objects)
+        let scene = self.scene;
+        Objects { objects: &scene.known_objects, surfaces: scene, camera: &scene.known_camera }
     }
 
     fn texture(&mut self, texture: &Texture) -> TextureId {

@@ -59,9 +59,11 @@ pub struct Scene {
     pub(crate) depth: TraceDepth,
     /// Middle of the box round everything, and half its diagonal.
     pub(crate) extent: (DVec3, f64),
-    objects: Vec<Object>,
+    pub(super) objects: Vec<Object>,
     /// What shaders can know of them.
     pub(crate) known_objects: Vec<state::Object>,
+    /// What they can know of the camera.
+    pub(crate) known_camera: state::Camera,
     pub(crate) textures: Textures,
 }
 
@@ -122,7 +124,9 @@ impl SceneBuilder {
         let id = PrimitiveId { object: self.objects.len() as u32, primitive: 0 };
         self.primitives.push((id, Primitive::Sphere(sphere)));
         let terminator = ShadowTerminator::default();
-        self.objects.push(Object { shape: Shape::Sphere, material, terminator });
+        let transform = *transform;
+        let shape = Shape::Sphere(sphere);
+        self.objects.push(Object { shape, transform, material, terminator });
         Ok(self)
     }
 
@@ -151,7 +155,8 @@ impl SceneBuilder {
             let id = PrimitiveId { object, primitive: number as u32 };
             (id, Primitive::Triangle(mesh.vertices(number)))
         }));
-        self.objects.push(Object { shape: Shape::Mesh(Arc::new(mesh)), material, terminator });
+        let (shape, transform) = (Shape::Mesh(Arc::new(mesh)), *transform);
+        self.objects.push(Object { shape, transform, material, terminator });
         Ok(self)
     }
 
@@ -183,7 +188,8 @@ impl SceneBuilder {
             camera: self.camera,
             depth: self.depth,
             extent,
-            known_objects: (0..self.objects.len() as u32).map(state::Object::at).collect(),
+            known_objects: (0..).zip(&self.objects).map(|(at, object)| object.known(at)).collect(),
+            known_camera: self.camera.known(),
             objects: self.objects,
             textures,
         })

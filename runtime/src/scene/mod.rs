@@ -3,6 +3,7 @@
 mod build;
 mod depth;
 mod object;
+mod surfaces;
 
 pub(crate) use build::placed_sphere;
 pub use build::{Scene, SceneBuilder, SceneError};

@@ -145,6 +145,12 @@ pub static OBJECT: Section = Section {
         key("mesh", Kind::File, Given::Choice, "The object is this OBJ file"),
         key("rectangle", Kind::Object(&RECTANGLE), Given::Choice, "The object is a rectangle"),
         key(
+            "second_uv",
+            Kind::File,
+            Given::Optional,
+            "An OBJ file of the same mesh, whose surface coordinates are its second set. Without it the second set is the first",
+        ),
+        key(
             "normals",
             Kind::Word(&["smooth", "flat"]),
             Given::Default("\"smooth\""),

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use phenomenon_compiler::diagnostics::Code;
 
+use crate::film::srgb_decoded;
 use crate::geometry::{Mesh, Normals, ObjError, read_obj};
 
 /// A mesh that was read.
@@ -38,6 +39,7 @@ impl ReadMesh {
         let mesh = Mesh {
             positions: (0..8).map(corner).collect(),
             triangles: vec![[0, 1, 2], [3, 4, 5], [5, 6, 7]],
+            uvs: if self.mesh.uvs.is_empty() { Vec::new() } else { vec![[0.0; 2]; 8] },
             ..Mesh::default()
         };
         Self { mesh: Arc::new(mesh), ..self }
@@ -47,7 +49,12 @@ impl ReadMesh {
 /// Reads a mesh file.
 pub(super) fn read_mesh(path: &Path, normals: Normals) -> Result<ReadMesh, MeshRefusal> {
     match read_obj(path, normals) {
-        Ok(read) => Ok(ReadMesh { mesh: Arc::new(read.mesh), flat_triangles: read.flat_triangles }),
+        Ok(mut read) => {
+            // What writes colours into OBJ files writes them encoded for the screen.
+            let colors = read.mesh.colors.as_flattened_mut();
+            colors.iter_mut().for_each(|color| *color = srgb_decoded(*color));
+            Ok(ReadMesh { mesh: Arc::new(read.mesh), flat_triangles: read.flat_triangles })
+        }
         Err(error) => {
             let (code, help) = match error {
                 ObjError::Unreadable { .. } => (

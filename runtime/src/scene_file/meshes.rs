@@ -23,6 +23,27 @@ impl<'a> Meshes<'a> {
         Self { assets, known: HashMap::new() }
     }
 
+    /// A mesh with the surface coordinates of the file that is named at `value` as its second set.
+    pub(super) fn with_second_set(
+        &mut self,
+        reader: &mut Reader<'_>,
+        value: &Value,
+        path: &Path,
+        normals: Normals,
+        mesh: &Mesh,
+    ) -> Option<Arc<Mesh>> {
+        let other = self.read(reader, value, path, normals)?;
+        match mesh.with_second_set(&other) {
+            Ok(mesh) => Some(Arc::new(mesh)),
+            Err(error) => {
+                let message = format!("the second set does not fit the mesh: {error}");
+                let help = "save the same mesh again, with its other surface coordinates";
+                reader.report(Code::UNUSABLE_OBJECT, value, message, help);
+                None
+            }
+        }
+    }
+
     /// The mesh of the file that is named at `value`.
     pub(super) fn read(
         &mut self,

@@ -123,34 +123,52 @@ fn shape<'d>(
         reader.report(Code::UNUSABLE_OBJECT, object.value, message, "give one of the three keys");
         return None;
     };
+    let second = object.optional("second_uv");
+    if let Some(second) = second.filter(|_| kind != "mesh") {
+        let message = "only a mesh has a second set of surface coordinates";
+        let help = "leave `second_uv` out, or give the object as a `mesh`";
+        reader.report(Code::UNUSABLE_OBJECT, second, message, help);
+        return None;
+    }
     let shape = match kind {
-        "sphere" => {
-            let object = section(reader, value, &SPHERE)?;
-            let center = match object.optional("center") {
-                Some(_) => vector(reader, &object, "center"),
-                None => Some([0.0; 3]),
-            };
-            let radius = object
-                .required(reader, "radius")
-                .and_then(|value| reader.number(value, "`radius` of a sphere", LENGTHS));
-            ShapeDescription::Sphere { center: center?, radius: radius? }
-        }
+        "sphere" => sphere(reader, value)?,
         "mesh" => {
             let path = file_path(reader, value, "`mesh`", folder)?;
             let mesh = meshes.read(reader, value, &path, smooth_or_flat)?;
+            let mesh = match second {
+                Some(second) => {
+                    let path = file_path(reader, second, "`second_uv`", folder)?;
+                    meshes.with_second_set(reader, second, &path, smooth_or_flat, &mesh)?
+                }
+                None => mesh,
+            };
             normals.map(|_| ShapeDescription::Mesh(mesh))?
         }
-        _ => {
-            let object = section(reader, value, &RECTANGLE)?;
-            let mut side = |key: &str| {
-                let value = object.required(reader, key)?;
-                reader.number(value, &format!("`{key}` of a rectangle"), LENGTHS)
-            };
-            let (width, depth) = (side("width"), side("depth"));
-            ShapeDescription::Mesh(Arc::new(Mesh::rectangle(width? as f32, depth? as f32)))
-        }
+        _ => rectangle(reader, value)?,
     };
     Some((kind, shape))
+}
+
+fn sphere<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<ShapeDescription> {
+    let object = section(reader, value, &SPHERE)?;
+    let center = match object.optional("center") {
+        Some(_) => vector(reader, &object, "center"),
+        None => Some([0.0; 3]),
+    };
+    let radius = object
+        .required(reader, "radius")
+        .and_then(|value| reader.number(value, "`radius` of a sphere", LENGTHS));
+    Some(ShapeDescription::Sphere { center: center?, radius: radius? })
+}
+
+fn rectangle<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<ShapeDescription> {
+    let object = section(reader, value, &RECTANGLE)?;
+    let mut side = |key: &str| {
+        let value = object.required(reader, key)?;
+        reader.number(value, &format!("`{key}` of a rectangle"), LENGTHS)
+    };
+    let (width, depth) = (side("width"), side("depth"));
+    Some(ShapeDescription::Mesh(Arc::new(Mesh::rectangle(width? as f32, depth? as f32))))
 }
 
 /// `scale`, `rotate` and `translate`, applied in this order, or the three rows of a `matrix`.

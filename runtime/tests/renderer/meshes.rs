@@ -48,8 +48,8 @@ fn legal_lines_are_read() {
         format!("{SQUARE}fo 1// 2/ 3 4\n"),
         format!("g a b\\\no caf\u{e9}\ns off\n{SQUARE}mtllib x.mtl\nusemtl C:\\\nf 1 2 3 4\ns 1"),
         format!("{SQUARE}p 1 2\nl 1 2 3\nvp 1 2\ncstype bezier\ndeg 3\ncurv 0 1 1 2\nend\nf 1 2 3 4"),
-        // A weight, a colour, a number of fourteen digits.
-        "v -1 -1 0 1\nv 1 -1 0 0.5 0.5 0.5\nv 1.0000000000001 1 0 1 nan 0 0\nv -1e0 +1. .0\nf 1 2 3 4"
+        // A weight, a weight and a colour, a number of fourteen digits.
+        "v -1 -1 0 1\nv 1 -1 0 nan 0.5 0.5 0.5\nv 1.0000000000001 1 0 1 nan 0 0\nv -1e0 +1. .0\nf 1 2 3 4"
             .to_owned(),
         // A corner twice in a row is once.
         format!("{SQUARE}v -1 -1 0\nf 1 2 2 3 4 4 5"),
@@ -60,6 +60,23 @@ fn legal_lines_are_read() {
     let mut latin = b"# caf\xe9\ng caf\xe9\n".to_vec();
     latin.extend(format!("{SQUARE}f 1 2 3 4").into_bytes());
     assert_eq!(read(&latin).mesh, plain.mesh);
+}
+
+#[test]
+fn positions_of_six_numbers_have_colours() {
+    let text = "v -1 -1 0\nv 1 -1 0 0.5 0.25 2\nv 1 1 0\nv -1 1 0 0 -1 0\nv 9 9 9\nf 1 2 3 4";
+    let mesh = read(text).mesh;
+    assert_eq!(mesh.colors, [[1.0; 3], [0.5, 0.25, 2.0], [1.0; 3], [0.0, -1.0, 0.0]]);
+    // Where a vertex becomes two, both have its colour.
+    let mixed = "v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nf 1 2 3\nf 3 1 4\nf 1/1 2/1 4/1";
+    let mesh = read(mixed).mesh;
+    assert_eq!(mesh.colors.len(), mesh.positions.len());
+    for (position, color) in mesh.positions.iter().zip(&mesh.colors) {
+        let red = *position == [0.0; 3];
+        assert_eq!(*color, if red { [1.0, 0.0, 0.0] } else { [1.0; 3] });
+    }
+    let refused = parse_obj(b"v 0 0 0 1 nan 0\n", Normals::Smooth).unwrap_err();
+    assert_eq!(refused, (Some(1), ObjFault::NotFinite("nan".into())));
 }
 
 #[test]

@@ -63,8 +63,12 @@ The state is that of a ray along -z which hits a plane at the origin from distan
   vectors  origin direction point normal normal_geom
   numbers  dot_nd dist ior ior_in u v time raster_x raster_y
   others   inv_normal ray_type reflection_level refraction_level incoming
-Directions and normals are brought to unit length; normal_geom follows normal, and dot_nd follows
-normal and direction, where they are not given. The scene round the point is empty: rays hit
+  surface  derivative_u derivative_v vertex_color second_u second_v
+  object   object_id object_random object_to_world world_to_object
+  camera   camera_to_world world_to_camera camera_height
+Directions and normals are brought to unit length; normal_geom follows normal, dot_nd follows normal
+and direction, second_u and second_v follow u and v, and a transform follows the one that undoes it,
+where they are not given. The scene round the point is empty: rays hit
 nothing and return black, not ok; there are no lights.
 
 Examples:
@@ -85,12 +89,12 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     // One point is soon shaded by kernels; code that comes later would only be thrown away.
     let engine = if arguments.engine.engine == EngineChoice::Auto { Engine::Batch } else { engine };
-    let (state, notes) = state_fields::state(&arguments.state)?;
+    let (place, notes) = state_fields::place(&arguments.state)?;
     let graph =
         Told { allow: &arguments.allow }.read(&arguments.graph, &NodeLibrary::standard())?;
     let values = graphs::bind(&graph, arguments.preset.as_deref(), &arguments.set)?;
     notes.iter().for_each(|note| terminal::tell(note));
-    let point = Point { values: &values, options: arguments.engine.options(engine), state };
+    let point = Point { values: &values, options: arguments.engine.options(engine), place };
     let evaluation = match &arguments.node {
         Some(path) => point.node(&graph, path)?,
         None => point.root(&graph, arguments.root)?,

@@ -2,7 +2,7 @@
 
 use phenomenon_compiler::engine::{Options, Shade, Shaded};
 use phenomenon_compiler::graph::{Binding, Graph, RootKind};
-use phenomenon_compiler::state::State;
+use phenomenon_compiler::state::Place;
 use phenomenon_compiler::values::Literal;
 use phenomenon_runtime::link::{NodePath, ShowNodeError};
 use phenomenon_runtime::render::EmptyScene;
@@ -18,7 +18,7 @@ pub struct Point<'a> {
     /// What runs it.
     pub options: Options,
     /// The point.
-    pub state: State,
+    pub place: Place,
 }
 
 impl Point<'_> {
@@ -97,9 +97,9 @@ impl Point<'_> {
     fn shade(&self, graph: Graph, kind: RootKind) -> Result<Shaded, Failure> {
         let shader = graphs::compile(graph, self.values, self.options)?;
         let mut results = [Shaded::default()];
-        let mut scene = EmptyScene::new(&shader)
+        let mut scene = EmptyScene::new(&shader, self.place)
             .map_err(|error| Failure::new(error, "mend the file, or name another"))?;
-        shader.shade(kind, &[self.state], &mut scene, &mut results);
+        shader.shade(kind, &[self.place.state], &mut scene, &mut results);
         shader.jit_failure().map_or(Ok(results[0]), |error| Err(graphs::jit_failed(error)))
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod colors;
 pub mod conventions;
+pub mod frames;
 pub mod placing;
 pub mod rotation;
 pub mod shaping;

@@ -1,5 +1,5 @@
 use super::reflection_direction::{along, mirrored};
-use crate::emit::{Mask, Real};
+use crate::emit::{Emit, Mask, Real, Vector};
 use crate::nodes::fresnel::fresnel_dielectric::{boundary, index};
 use crate::nodes::state;
 use crate::state::Field;
@@ -33,17 +33,32 @@ node! {
         tir: boolean;
     }
     body |e, i| {
-        let cosine = -i.direction.dot(i.normal);
-        let b = boundary(e, index(e, i.ior_in), index(e, i.ior_out), cosine);
-        let bend = -(b.excess.divide_or_zero(b.transmitted + b.cosine));
-        let refracted = along(i.normal, bend, i.direction);
-        let above = refracted.dot(i.normal_geom);
-        let lowered = along(i.normal_geom, e.real(-1e-4) - above, refracted);
-        let refracted = above.greater_equal(e.real(0.0)).select(lowered, refracted).normalized();
-        let unbent = b.matched.select(i.direction, refracted);
-        let mirror = mirrored(e, i.direction, i.normal, i.normal_geom);
-        Outputs { direction: b.total.select(mirror, unbent), tir: b.total }
+        let (direction, tir) =
+            refracted(e, [i.ior_in, i.ior_out], i.direction, i.normal, i.normal_geom);
+        Outputs { direction, tir }
     }
+}
+
+/// The direction behind the boundary, held below the geometric surface, or the mirror direction; and
+/// whether all light is reflected.
+#[inline(always)]
+pub fn refracted<E: Emit>(
+    e: E,
+    [ior_in, ior_out]: [E::Real; 2],
+    direction: Vector<E::Real>,
+    normal: Vector<E::Real>,
+    normal_geom: Vector<E::Real>,
+) -> (Vector<E::Real>, E::Mask) {
+    let cosine = -direction.dot(normal);
+    let b = boundary(e, index(e, ior_in), index(e, ior_out), cosine);
+    let bend = -(b.excess.divide_or_zero(b.transmitted + b.cosine));
+    let refracted = along(normal, bend, direction);
+    let above = refracted.dot(normal_geom);
+    let lowered = along(normal_geom, e.real(-1e-4) - above, refracted);
+    let refracted = above.greater_equal(e.real(0.0)).select(lowered, refracted).normalized();
+    let unbent = b.matched.select(direction, refracted);
+    let mirror = mirrored(e, direction, normal, normal_geom);
+    (b.total.select(mirror, unbent), b.total)
 }
 
 #[cfg(test)]

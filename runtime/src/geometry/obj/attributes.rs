@@ -9,6 +9,8 @@ use crate::geometry::mesh::push;
 #[derive(Debug, Default)]
 pub(super) struct Attributes {
     pub(super) positions: Vec<[f32; 3]>,
+    /// One per position where any has one, those without white; else none.
+    pub(super) colors: Vec<[f32; 3]>,
     pub(super) uvs: Vec<[f32; 2]>,
     pub(super) normals: Vec<[f32; 3]>,
     /// The first line that starts like no statement, and its first word.
@@ -70,26 +72,40 @@ impl Attributes {
         while let Some(keyword) = statements.statement() {
             match keyword {
                 b"v" => {
-                    let position = numbers("v", 3, statements, |word, number| {
-                        match number.abs() <= COORDINATE_LIMIT {
+                    let (given, count) = numbers::<6>("v", 3, statements, |word, at, number| {
+                        match at >= 3 || number.abs() <= COORDINATE_LIMIT {
                             true => Ok(()),
                             false => Err(ObjFault::TooFar(ObjFault::shown(word))),
                         }
                     })?;
-                    push(&mut attributes.positions, position)?;
+                    let [x, y, z, r, g, b] = given;
+                    attributes.add_color((count == 6).then_some([r, g, b]))?;
+                    push(&mut attributes.positions, [x, y, z])?;
                 }
                 b"vt" => {
-                    let [u, v, _] = numbers("vt", 1, statements, |_, _| Ok(()))?;
+                    let ([u, v, _], _) = numbers("vt", 1, statements, |_, _, _| Ok(()))?;
                     push(&mut attributes.uvs, [u, v])?;
                 }
                 b"vn" => {
-                    let normal = numbers("vn", 3, statements, |_, _| Ok(()))?;
+                    let (normal, _) = numbers("vn", 3, statements, |_, _, _| Ok(()))?;
                     push(&mut attributes.normals, normal)?;
                 }
                 other => attributes.pass(other, statements.line())?,
             }
         }
         Ok(attributes)
+    }
+
+    /// The colour of the next position. Before the first that has one none is kept.
+    fn add_color(&mut self, color: Option<[f32; 3]>) -> Result<(), ObjFault> {
+        const WHITE: [f32; 3] = [1.0; 3];
+        if color.is_none() && self.colors.is_empty() {
+            return Ok(());
+        }
+        while self.colors.len() < self.positions.len() {
+            push(&mut self.colors, WHITE)?;
+        }
+        Ok(push(&mut self.colors, color.unwrap_or(WHITE))?)
     }
 
     fn pass(&mut self, keyword: &[u8], line: usize) -> Result<(), ObjFault> {
@@ -103,31 +119,37 @@ impl Attributes {
     }
 }
 
-/// The first three numbers of a statement that needs `least` of them; 0 where it has fewer. What
-/// follows (a weight, a colour, a third surface coordinate) must be numbers too, but does not
-/// count.
-fn numbers(
+/// The first `N` numbers of a statement that needs `least` of them, 0 where it has fewer, and how many it
+/// has. What follows (a third surface coordinate) must be numbers too, but does not count; nor need a weight
+/// be finite.
+fn numbers<const N: usize>(
     keyword: &'static str,
     least: usize,
     statements: &mut Statements<'_>,
-    check: impl Fn(&[u8], f32) -> Result<(), ObjFault>,
-) -> Result<[f32; 3], ObjFault> {
-    let mut numbers = [0.0; 3];
+    check: impl Fn(&[u8], usize, f32) -> Result<(), ObjFault>,
+) -> Result<([f32; N], usize), ObjFault> {
+    let mut numbers = [0.0; N];
     let mut count = 0;
+    let mut strange = None;
     while let Some(word) = statements.word() {
         let number = number(word)?;
         if let Some(slot) = numbers.get_mut(count) {
-            if !number.is_finite() {
+            if !number.is_finite() && count < least.max(2) {
                 return Err(ObjFault::NotFinite(ObjFault::shown(word)));
             }
-            check(word, number)?;
+            if !number.is_finite() {
+                strange = Some(ObjFault::shown(word));
+            }
+            check(word, count, number)?;
             *slot = number;
         }
         count += 1;
     }
-    match count < least {
-        true => Err(ObjFault::TooFewNumbers { keyword, least, count }),
-        false => Ok(numbers),
+    match strange {
+        // All of them count.
+        Some(word) if count == N => Err(ObjFault::NotFinite(word)),
+        _ if count < least => Err(ObjFault::TooFewNumbers { keyword, least, count }),
+        _ => Ok((numbers, count)),
     }
 }
 

@@ -172,6 +172,9 @@ impl<'a> Assembly<'a> {
         let mut mesh = Mesh { triangles: std::mem::take(&mut self.triangles), ..Mesh::default() };
         for corner in &self.corners {
             push(&mut mesh.positions, self.attributes.positions[corner[0] as usize])?;
+            if let Some(&color) = self.attributes.colors.get(corner[0] as usize) {
+                push(&mut mesh.colors, color)?;
+            }
         }
         self.set_normals(&mut mesh)?;
         self.set_uvs(&mut mesh)?;
@@ -224,6 +227,9 @@ impl<'a> Assembly<'a> {
                     push(&mut mesh.uvs, uv)?;
                     if let Some(&normal) = mesh.normals.get(vertex) {
                         push(&mut mesh.normals, normal)?;
+                    }
+                    if let Some(&color) = mesh.colors.get(vertex) {
+                        push(&mut mesh.colors, color)?;
                     }
                 }
             }
