@@ -1,5 +1,5 @@
 //! Loops over samples, and every way turns become one value: in all engines, against the definition.
-//! The nodes are those of another crate: the standard library has none over samples.
+//! Most loops are of another crate: the standard library has means over samples only.
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::diagnostics::Code;
@@ -13,7 +13,8 @@ use phenomenon_compiler::testing::random::Random;
 use phenomenon_compiler::values::{Literal, Type};
 use phenomenon_foreign_nodes::library;
 
-const LOOPS: [&str; 4] = ["sample_sum", "sample_mean", "sample_maximum", "sample_over"];
+const LOOPS: [&str; 5] =
+    ["sample_sum", "sample_mean", "sample_maximum", "sample_over", "sample_loop"];
 
 fn integer(value: i32) -> Binding {
     Binding::Literal(Literal::Integer(value))
@@ -22,8 +23,8 @@ fn integer(value: i32) -> Binding {
 /// A colour of the numbers of the sample: index, u, v, and alpha v.
 fn drawn(build: &mut Build) -> Binding {
     let sample = build.node("sample", &[]);
-    let [u, v] = ["sample_u", "sample_v"].map(|name| sample.output(name));
-    let inputs = [("r", sample.output("sample_index")), ("g", u), ("b", v.clone()), ("a", v)];
+    let [u, v] = ["u", "v"].map(|name| sample.output(name));
+    let inputs = [("r", sample.output("index")), ("g", u), ("b", v.clone()), ("a", v)];
     build.node("combine_color", &inputs).first()
 }
 
@@ -86,7 +87,7 @@ fn a_count_may_differ_from_point_to_point() {
 fn each_turn_asks_and_what_does_not_look_at_it_is_asked_once() {
     let mut build = Build::with(library());
     let sample = build.node("sample", &[]);
-    let u = sample.output("sample_u");
+    let u = sample.output("u");
     let direction = build.node("combine_vector", &[("x", u.clone()), ("y", u)]);
     let inside = build.node("trace_reflection", &[("direction", direction.first())]);
     let outside = build.node("trace_environment", &[]);
@@ -147,7 +148,7 @@ fn the_sample_is_read_below_its_loop_only() {
                 "nodes": {{
                     "drawn": {{ "type": "sample" }},
                     "shade": {{ "type": "combine_color", "inputs": {{
-                        "r": {{ "node": "drawn", "output": "sample_u" }} }} }},
+                        "r": {{ "node": "drawn", "output": "u" }} }} }},
                     "mean": {{ "type": "sample_mean", "inputs": {{
                         "count": 4, "body": {{ "node": "shade" }} }} }}
                 }},

@@ -9,7 +9,6 @@ pub mod scopes;
 pub mod twice;
 
 use phenomenon_compiler::nodes::{Definition, Group, NodeLibrary};
-use phenomenon_compiler::state::Iterated;
 
 /// The standard nodes, and those of this crate.
 pub fn library() -> NodeLibrary {
@@ -22,13 +21,7 @@ pub fn library() -> NodeLibrary {
 }
 
 fn definitions() -> Vec<Definition> {
-    let fields = Iterated::Samples.provides().map(|field| (field.name(), field));
-    let mut all = vec![
-        posterize::definition(),
-        either::definition(),
-        twice::definition(),
-        Definition::of_fields("sample", "The sample of the loop round it.", fields),
-    ];
+    let mut all = vec![posterize::definition(), either::definition(), twice::definition()];
     all.extend(requests::definitions());
     all.extend(scopes::definitions());
     all.extend(loops::definitions());
