@@ -8,6 +8,7 @@ mod foreign;
 mod names;
 mod protocol;
 mod scenes;
+mod scopes;
 mod typing;
 mod values;
 

@@ -12,9 +12,10 @@ use super::keys::{Spot, spot};
 use super::offers::Offers;
 use super::open_files::OpenFiles;
 use super::parameters::{Declaration, declaration, settable};
-use super::part::text;
-use super::parts::{members, parts_of, phenomenon, phenomenon_of};
+use super::part::{Part, text};
+use super::parts::{parts_of, phenomenon, phenomenon_of};
 use super::paths;
+use super::scope::Scope;
 use crate::ours::Ours;
 
 /// Completions at a byte of the file.
@@ -27,7 +28,8 @@ pub fn complete(
     let cursor = Cursor::after(&file.text()[..at]);
     let path: Vec<&str> = cursor.path.iter().map(String::as_str).collect();
     let offers = Offers { in_string: cursor.written.is_some() };
-    let place = Place { file, cursor: &cursor, library, files, offers };
+    let (scope, inner) = Scope::of(file, &path);
+    let place = Place { file, scope, cursor: &cursor, library, files, offers };
     if let (Some(_), false, Some(written), Some(key)) =
         (file.ours, cursor.at_key, &cursor.written, path.last())
         && let Some(endings) = paths::endings(key)
@@ -36,8 +38,8 @@ pub fn complete(
     }
     match file.ours {
         Some(Ours::Scene) => place.in_scene(&path),
-        Some(_) if cursor.at_key => place.key(&path),
-        Some(_) => place.value(&path),
+        Some(_) if cursor.at_key => place.key(inner),
+        Some(_) => place.value(inner),
         None => Vec::new(),
     }
 }
@@ -45,6 +47,7 @@ pub fn complete(
 /// Where the cursor stands, and what is known there.
 struct Place<'p> {
     file: &'p OpenFile,
+    scope: Scope<'p>,
     cursor: &'p Cursor,
     library: &'p NodeLibrary,
     files: &'p OpenFiles,
@@ -56,7 +59,11 @@ impl Place<'_> {
     fn key(&self, path: &[&str]) -> Vec<CompletionItem> {
         let offers = self.offers;
         match path {
+            [] if self.scope.depth > 0 => offers.keys(keys::INNER.keys),
             [] => offers.keys(keys::PHENOMENON.keys),
+            ["outputs", _] => offers.keys(keys::OUTPUT.keys),
+            ["outputs", _, "from", ..] => offers.keys(keys::CONNECTION.keys),
+            ["presets", _] => offers.parts(&self.own_parameters()),
             ["requires"] => offers.keys(keys::REQUIRES.keys),
             ["nodes", _] => offers.keys(keys::NODE.keys),
             ["interface", place @ ..] if is_declaration(place) => {
@@ -68,7 +75,7 @@ impl Place<'_> {
             ["roots", _] => offers.keys(keys::CONNECTION.keys.iter().chain(keys::ROOT.keys)),
             ["nodes", name, "inputs"] => {
                 let parts =
-                    parts_of(self.file, name, self.written_type(), self.library, self.files);
+                    parts_of(&self.scope, name, self.written_type(), self.library, self.files);
                 offers.parts(&parts.map(|parts| parts.inputs).unwrap_or_default())
             }
             ["nodes", name, "inputs", input, inner @ ..] => {
@@ -82,29 +89,33 @@ impl Place<'_> {
 
     /// Values at a path of a graph.
     fn value(&self, path: &[&str]) -> Vec<CompletionItem> {
-        let (file, offers) = (self.file, self.offers);
+        let offers = self.offers;
         match path {
             ["requires", key] => words_of(keys::REQUIRES.key(key).map(|key| &key.kind), offers),
             ["interface", place @ .., "type"] if is_declaration(place) => {
                 let words = keys::declared_types().iter().copied();
                 offers.words(words, CompletionItemKind::PROPERTY)
             }
+            ["nodes", _, "type", "phenomenon"] => {
+                offers.words(self.scope.inner_names(), CompletionItemKind::CLASS)
+            }
+            ["outputs", _, "type"] => words_of(keys::OUTPUT.key("type").map(|it| &it.kind), offers),
             ["nodes", _, "type"] => {
                 let signatures = self.library.iter().map(|(_, definition)| &definition.signature);
                 let kind = CompletionItemKind::CLASS;
                 signatures.map(|it| offers.word(&it.name, kind, it.group, &it.doc)).collect()
             }
-            ["nodes" | "roots", .., "node"] => {
+            ["nodes" | "roots" | "outputs", .., "node"] => {
                 let of =
                     |member: &Member| text(&member.value, "type").unwrap_or_default().to_owned();
                 self.members("nodes", |member| (of(member), String::new()))
             }
-            ["nodes" | "roots", .., "output"] => {
+            ["nodes" | "roots" | "outputs", .., "output"] => {
                 let node = self.cursor.siblings.get("node").map(String::as_str).unwrap_or_default();
-                let parts = parts_of(file, node, None, self.library, self.files);
+                let parts = parts_of(&self.scope, node, None, self.library, self.files);
                 offers.parts(&parts.map(|parts| parts.outputs).unwrap_or_default())
             }
-            ["nodes" | "roots", .., "interface"] => {
+            ["nodes" | "roots" | "outputs", .., "interface"] => {
                 let said = |member: &Member, key: &str| {
                     text(&member.value, key).unwrap_or_default().to_owned()
                 };
@@ -120,7 +131,7 @@ impl Place<'_> {
 
     /// What may be given to an input of a node of the library, besides numbers and connections.
     fn of_library(&self, node: &str, input: &str) -> Vec<CompletionItem> {
-        let parts = parts_of(self.file, node, self.written_type(), self.library, self.files);
+        let parts = parts_of(&self.scope, node, self.written_type(), self.library, self.files);
         let inputs = parts.map(|parts| parts.inputs).unwrap_or_default();
         let Some(part) = inputs.iter().find(|part| part.name == input) else { return Vec::new() };
         let is_boolean = part.of == Type::Boolean.name();
@@ -133,10 +144,15 @@ impl Place<'_> {
 
     /// The type of the node the cursor is in, as it stands before the cursor.
     fn written_type(&self) -> Option<&str> {
-        self.cursor.around.get(2)?.get("type").map(String::as_str)
+        self.cursor.around.get(2 + 2 * self.scope.depth)?.get("type").map(String::as_str)
     }
 
-    /// Nodes or parameters of the file, with what `told` has to say of them: in few words, and in many.
+    /// The parameters of the phenomenon, and their parts.
+    fn own_parameters(&self) -> Vec<Part> {
+        self.file.document.as_ref().map(settable).unwrap_or_default()
+    }
+
+    /// Nodes or parameters of the phenomenon, with what `told` has to say of them: in few words, and in many.
     fn members(
         &self,
         section: &str,
@@ -146,7 +162,7 @@ impl Place<'_> {
             let (detail, doc) = told(member);
             self.offers.word(&member.key, CompletionItemKind::VARIABLE, &detail, &doc)
         };
-        members(self.file, section).iter().map(item).collect()
+        self.scope.members(section).iter().map(item).collect()
     }
 
     /// What may be given to a parameter of a phenomenon that is used as a node, at a path of keys within the value.
@@ -155,7 +171,9 @@ impl Place<'_> {
         if self.written_type().is_some() {
             return Vec::new();
         }
-        let Some(document) = phenomenon_of(self.file, node, self.files) else { return Vec::new() };
+        let Some(document) = phenomenon_of(&self.scope, node, self.files) else {
+            return Vec::new();
+        };
         let declared = declaration(&document, input);
         let offers = |declared: Declaration<'_>| {
             declared.offers(inner, self.cursor.at_key, self.offers, &[])

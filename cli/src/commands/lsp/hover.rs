@@ -8,7 +8,8 @@ use super::file::OpenFile;
 use super::keys;
 use super::open_files::OpenFiles;
 use super::part::{Part, text};
-use super::parts::{Parts, members, parts_of};
+use super::parts::{Parts, parts_of};
+use super::scope::Scope;
 use crate::ours::Ours;
 
 /// What there is to say about a byte of the file.
@@ -28,25 +29,26 @@ pub fn hover(
             path.iter().map(|key| key.split('[').next().unwrap_or_default()).collect();
         return keys::key(&path).map(of_key).map(told);
     }
-    let parts = |node: &str| parts_of(file, node, None, library, files);
-    let told_of = match path.as_slice() {
-        ["nodes", .., "node" | "output"] | ["roots", .., "node" | "output"] => {
+    let (scope, path) = Scope::of(file, &path);
+    let parts = |node: &str| parts_of(&scope, node, None, library, files);
+    let told_of = match path {
+        ["nodes" | "roots" | "outputs", .., "node" | "output"] => {
             let connection = innermost(&document.root, at);
             let node = connection.and_then(|connection| text(connection, "node"));
             node.and_then(parts).as_ref().map(of_node)
         }
-        ["nodes" | "roots", .., "interface"] => {
+        ["nodes" | "roots" | "outputs", .., "interface"] => {
             let connection = innermost(&document.root, at);
-            connection.and_then(|it| text(it, "interface")).and_then(|name| parameter(file, name))
+            connection.and_then(|it| text(it, "interface")).and_then(|name| parameter(&scope, name))
         }
-        ["nodes", name] | ["nodes", name, "type"] | ["nodes", name, "type", "file"] => {
-            parts(name).as_ref().map(of_node)
-        }
+        ["nodes", name]
+        | ["nodes", name, "type"]
+        | ["nodes", name, "type", "file" | "phenomenon"] => parts(name).as_ref().map(of_node),
         ["nodes", name, "inputs", input, ..] => {
             let inputs = parts(name).map(|parts| parts.inputs).unwrap_or_default();
             inputs.iter().find(|it| it.name == *input).map(of_input)
         }
-        ["interface", name, ..] => parameter(file, name),
+        ["interface", name, ..] => parameter(&scope, name),
         _ => None,
     };
     told_of.map(told)
@@ -95,8 +97,9 @@ fn of_input(input: &Part) -> String {
     format!("`{}` {}\n\n{}", input.name, input.of, input.doc)
 }
 
-fn parameter(file: &OpenFile, name: &str) -> Option<String> {
-    let member = members(file, "interface").iter().find(|member| member.key == name)?;
+fn parameter(scope: &Scope<'_>, name: &str) -> Option<String> {
+    let name = &name[..name.find(['.', '[']).unwrap_or(name.len())];
+    let member = scope.members("interface").iter().find(|member| member.key == name)?;
     let of = text(&member.value, "type").unwrap_or_default();
     let doc = text(&member.value, "doc").unwrap_or_default();
     Some(format!("parameter `{name}` {of}\n\n{doc}"))

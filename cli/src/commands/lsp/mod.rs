@@ -16,6 +16,7 @@ mod parameters;
 mod part;
 mod parts;
 mod paths;
+mod scope;
 mod server;
 mod transport;
 

@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
-use phenomenon_compiler::document::{Document, Member, Value};
+use phenomenon_compiler::document::{Document, Value};
 use phenomenon_compiler::nodes::{FINITE, Input, NodeLibrary, Signature};
 
 use super::file::OpenFile;
 use super::open_files::OpenFiles;
 use super::parameters::parameters;
 use super::part::{Part, text};
+use super::scope::Scope;
 
 /// What a node has.
 #[derive(Debug)]
@@ -28,56 +29,50 @@ pub struct Parts {
 /// What the node called `name` has. `written` is its type as it stands before the cursor; without
 /// it, that of the file as it was JSON last.
 pub fn parts_of(
-    file: &OpenFile,
+    scope: &Scope<'_>,
     name: &str,
     written: Option<&str>,
     library: &NodeLibrary,
     files: &OpenFiles,
 ) -> Option<Parts> {
-    let known = members(file, "nodes").iter().find(|member| member.key == name);
-    if let Some(name) = written.or(known.and_then(|member| text(&member.value, "type"))) {
-        return library.find(name).map(|node_type| of_signature(library.signature(node_type)));
+    let known = scope.members("nodes").iter().find(|member| member.key == name);
+    match written {
+        Some(name) => of_library(name, library),
+        None => parts_of_node(scope, &known?.value, library, files),
     }
-    of_type(file, known?.value.get("type")?, files)
 }
 
 /// What a node has, as it stands in the file.
 pub fn parts_of_node(
-    file: &OpenFile,
+    scope: &Scope<'_>,
     node: &Value,
     library: &NodeLibrary,
     files: &OpenFiles,
 ) -> Option<Parts> {
     if let Some(name) = text(node, "type") {
-        return library.find(name).map(|node_type| of_signature(library.signature(node_type)));
+        return of_library(name, library);
     }
-    of_type(file, node.get("type")?, files)
+    let node_type = node.get("type")?;
+    let named = text(node_type, "phenomenon").or(text(node_type, "file"))?;
+    phenomenon_of_type(scope, node_type, files).map(|document| of_phenomenon(&document, named))
 }
 
-/// What a phenomenon has that is the type of a node: one in another file, or in this one.
-fn of_type(file: &OpenFile, node_type: &Value, files: &OpenFiles) -> Option<Parts> {
-    if let Some(named) = text(node_type, "phenomenon") {
-        let document = inner(file.document.as_ref()?, named)?;
-        return Some(of_phenomenon(&document, named));
-    }
-    let named = text(node_type, "file")?;
-    phenomenon(file, named, files).map(|document| of_phenomenon(&document, named))
+fn of_library(name: &str, library: &NodeLibrary) -> Option<Parts> {
+    library.find(name).map(|node_type| of_signature(library.signature(node_type)))
 }
 
 /// The phenomenon the node called `name` is, in the file as it was JSON last.
-pub fn phenomenon_of(file: &OpenFile, name: &str, files: &OpenFiles) -> Option<Document> {
-    let node = members(file, "nodes").iter().find(|member| member.key == name)?;
-    let node_type = node.value.get("type")?;
-    match text(node_type, "phenomenon") {
-        Some(named) => inner(file.document.as_ref()?, named),
-        None => phenomenon(file, text(node_type, "file")?, files),
-    }
+pub fn phenomenon_of(scope: &Scope<'_>, name: &str, files: &OpenFiles) -> Option<Document> {
+    let node = scope.members("nodes").iter().find(|member| member.key == name)?;
+    phenomenon_of_type(scope, node.value.get("type")?, files)
 }
 
-/// A phenomenon that stands in the file itself.
-fn inner(document: &Document, named: &str) -> Option<Document> {
-    let root = document.root.get("phenomena")?.get(named)?.clone();
-    Some(Document { file: document.file.clone(), root })
+/// The phenomenon that is the type of a node: one in another file, or in this one.
+fn phenomenon_of_type(scope: &Scope<'_>, of: &Value, files: &OpenFiles) -> Option<Document> {
+    match text(of, "phenomenon") {
+        Some(named) => scope.inner(named),
+        None => phenomenon(scope.file, text(of, "file")?, files),
+    }
 }
 
 /// A phenomenon by the path a file names it with.
@@ -149,10 +144,4 @@ fn outputs_of(root: &Value) -> Vec<Part> {
         }
     }
     outputs
-}
-
-/// The members of a part of the file, as it was JSON last.
-pub fn members<'f>(file: &'f OpenFile, part: &str) -> &'f [Member] {
-    let part = file.document.as_ref().and_then(|document| document.root.get(part));
-    part.map_or(&[], Value::members)
 }

@@ -12,6 +12,7 @@ use crate::commands::lsp::open_files::OpenFiles;
 use crate::commands::lsp::parameters::parameters;
 use crate::commands::lsp::part::text;
 use crate::commands::lsp::parts::{parts_of_node, phenomenon};
+use crate::commands::lsp::scope::Scope;
 use crate::ours::Ours;
 
 /// The colours that are written in the file, as a screen shows them. Those brighter than a screen are left out: what is
@@ -24,7 +25,7 @@ pub fn colors(
     let document = file.current()?;
     let mut found = Found { file, library, files, colors: Vec::new() };
     match file.ours? {
-        Ours::Graph => found.phenomenon(&document.root),
+        Ours::Graph => found.phenomenon(&document.root, &mut Vec::new()),
         Ours::Scene => found.scene(&document.root, &mut Vec::new()),
     }
     Some(found.colors)
@@ -55,16 +56,17 @@ struct Found<'f> {
 
 impl Found<'_> {
     /// The nesting of documents is bounded, and so is this recursion.
-    fn phenomenon(&mut self, of: &Value) {
+    fn phenomenon<'v>(&mut self, of: &'v Value, path: &mut Vec<&'v str>) {
         for parameter in of.get("interface").map_or(&[][..], Value::members) {
             self.declared(&parameter.value, parameter.value.get("default"));
         }
+        let (scope, _) = Scope::of(self.file, path);
         for node in of.get("nodes").map_or(&[][..], Value::members) {
             let inputs = node.value.get("inputs").map_or(&[][..], Value::members);
             if inputs.is_empty() {
                 continue;
             }
-            let parts = parts_of_node(self.file, &node.value, self.library, self.files);
+            let parts = parts_of_node(&scope, &node.value, self.library, self.files);
             let parts = parts.map(|parts| parts.inputs).unwrap_or_default();
             for input in inputs {
                 if parts.iter().any(|part| part.name == input.key && part.of == "color") {
@@ -73,7 +75,9 @@ impl Found<'_> {
             }
         }
         for inner in of.get("phenomena").map_or(&[][..], Value::members) {
-            self.phenomenon(&inner.value);
+            path.extend(["phenomena", &inner.key]);
+            self.phenomenon(&inner.value, path);
+            path.truncate(path.len() - 2);
         }
     }
 
