@@ -2,16 +2,16 @@
 
 use crate::diagnostics::synonyms;
 use crate::diagnostics::{Code, Finding, is_near, shortened};
-use crate::document::{Member, Reader, ValueKind};
+use crate::document::{Member, Reader, Value, ValueKind};
 use crate::graph::{Binding, Node, Root};
-use crate::nodes::{DefaultValue, Input, Kind, NodeType, Signature};
+use crate::nodes::{DefaultValue, Input, Kind, ListForm, NodeType, Signature};
 use crate::values::{Literal, Type};
 
 use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
 use super::literals::Room;
 use super::type_names::with_article;
 use super::types::{Types, overload};
-use super::{components, fixed_inputs, lists, literals, mismatch, ranges, references};
+use super::{components, fixed_inputs, lists, literals, mismatch, ramps, ranges, references};
 
 /// The nodes and the roots, and how many of the nodes are the file's own. Nodes of unknown type are left
 /// out: they made a finding, and then there is no graph. Nodes that lists stand for come after those of the
@@ -34,12 +34,22 @@ pub(super) fn bind<'d>(
                 values,
                 next,
             };
-            match list.nodes(form) {
+            let nodes_of_list = match form {
+                ListForm::Element => list.element(),
+                ListForm::Sum => list.sum(),
+                ListForm::Ramp => ramps::ramp(list),
+            };
+            match nodes_of_list {
                 Some((own, others)) => {
                     nodes.push(own);
                     added.extend(others);
                 }
-                None => needs(reader, node.member, "select`, `less_equal` and `add", "a list"),
+                None => needs(
+                    reader,
+                    node.member,
+                    "select`, `less_equal`, `add` and `ramp_segment",
+                    "a list",
+                ),
             }
             continue;
         }
@@ -133,8 +143,9 @@ fn bind_list<'d>(
 ) -> Option<lists::Values> {
     let signature = draft.node_types.signature(node_type);
     let generic = types.generic(node);
-    let mut values = Vec::new();
+    let (mut values, mut positions) = (Vec::new(), Vec::new());
     let mut index = Binding::Literal(Literal::Integer(0));
+    let mut interpolation = fixed_inputs::default(signature);
     let mut complete = true;
     let mut given = vec![false; signature.inputs.len()];
     for input in &draft.nodes[node].inputs {
@@ -150,15 +161,68 @@ fn bind_list<'d>(
             complete = false;
             continue;
         };
+        if declared.fixed {
+            match bind_fixed(reader, draft, types, (&input.source, declared), &what) {
+                Some(binding) => interpolation = binding,
+                None => complete = false,
+            }
+            continue;
+        }
         match bind_source(reader, draft, types, &input.source, to, declared.list, &what) {
+            Some(binding) if declared.list && declared.name == "positions" => {
+                positions.push(binding);
+            }
             Some(binding) if declared.list => values.push(binding),
             Some(binding) => index = binding,
             None => complete = false,
         }
     }
     missing_inputs(reader, draft, node, signature, &given);
-    let generic = generic.filter(|_| complete && !values.is_empty())?;
-    Some(lists::Values { index, values, generic })
+    let is_complete = |(input, given): (&Input, &bool)| {
+        *given || !matches!(input.default, DefaultValue::Required)
+    };
+    complete &= signature.inputs.iter().zip(&given).all(is_complete);
+    complete &= !values.is_empty() && ramps::are_paired(reader, draft, node, &positions, &values);
+    // A curve is of numbers.
+    let generic = if signature.is_generic() { generic } else { Some(Type::Scalar) };
+    let generic = generic.filter(|_| complete)?;
+    Some(lists::Values { index, interpolation, positions, values, generic })
+}
+
+/// A choice that a node over a list has.
+fn bind_fixed<'d>(
+    reader: &mut Reader<'d>,
+    draft: &Draft<'d>,
+    types: &Types,
+    (source, input): (&Source<'d>, &Input),
+    what: &dyn Fn() -> String,
+) -> Option<Binding> {
+    if !fixed_inputs::suits(reader, draft, source, (input, input.choices), what) {
+        return None;
+    }
+    if source.kind == SourceKind::Literal && matches!(source.value.kind, ValueKind::String(_)) {
+        return bind_choice(reader, draft, source.value, input.choices, what);
+    }
+    bind_source(reader, draft, types, source, Type::Integer, false, what)
+}
+
+/// The number of a name among those of a choice, unless it was meant to be a reference.
+fn bind_choice<'d>(
+    reader: &mut Reader<'d>,
+    draft: &Draft<'d>,
+    value: &'d Value,
+    labels: &[&str],
+    what: &dyn Fn() -> String,
+) -> Option<Binding> {
+    let ValueKind::String(text) = &value.kind else { return None };
+    let choices: Vec<(&str, i32)> = (0..).zip(labels).map(|(at, it)| (*it, at)).collect();
+    // A node may have the name of a choice, and stands beside it all the same.
+    let is_choice = choices.iter().any(|(label, _)| label == text);
+    if !is_choice && references::report(reader, draft, value, None, what) {
+        return None;
+    }
+    let label = reader.choice(value, &what(), &choices)?;
+    Some(Binding::Literal(Literal::Integer(label)))
 }
 
 fn bind_node<'d>(
@@ -190,17 +254,11 @@ fn bind_node<'d>(
             continue;
         }
         let value = input.source.value;
-        if let (Some(labels), ValueKind::String(text)) = (labels, &value.kind)
+        if let (Some(labels), ValueKind::String(_)) = (&labels, &value.kind)
             && input.source.kind == SourceKind::Literal
         {
-            let choices: Vec<(&str, i32)> = (0..).zip(labels).map(|(at, it)| (it, at)).collect();
-            // A node may have the name of a choice, and stands beside it all the same.
-            let is_choice = choices.iter().any(|(label, _)| label == text);
-            if !is_choice && references::report(reader, draft, value, None, &what) {
-                continue;
-            }
-            if let Some(label) = reader.choice(value, &what(), &choices) {
-                bindings[at] = Binding::Literal(Literal::Integer(label));
+            if let Some(label) = bind_choice(reader, draft, value, labels, &what) {
+                bindings[at] = label;
             }
             continue;
         }

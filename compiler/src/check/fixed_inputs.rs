@@ -2,8 +2,9 @@
 
 use crate::diagnostics::{Code, Finding, listed, shortened, shown};
 use crate::document::{Reader, ValueKind};
-use crate::nodes::Input;
-use crate::values::Type;
+use crate::graph::Binding;
+use crate::nodes::{DefaultValue, Input, Signature};
+use crate::values::{Literal, Type};
 
 use super::draft::{Draft, Source, SourceKind};
 use super::mismatch;
@@ -68,6 +69,15 @@ pub(super) fn suits(
             suits
         }
         SourceKind::Compound(_) | SourceKind::Broken => true,
+    }
+}
+
+/// What the first such input of a node is when nothing is given for it.
+pub(super) fn default(signature: &Signature) -> Binding {
+    let fixed = signature.inputs.iter().find(|input| input.fixed);
+    match fixed.map(|input| &input.default) {
+        Some(DefaultValue::Literal(literal)) => Binding::Literal(literal.clone()),
+        _ => Binding::Literal(Literal::Integer(0)),
     }
 }
 

@@ -1,13 +1,17 @@
 //! Nodes over lists, as the nodes they stand for.
 
 use crate::graph::{Binding, Node};
-use crate::nodes::{ListForm, NodeLibrary, NodeType};
+use crate::nodes::{NodeLibrary, NodeType};
 use crate::values::{Literal, Type};
 
 /// What a node over a list is given.
 pub(super) struct Values {
-    /// Which value; of [`ListForm::Element`] only.
+    /// Which value, or where along a ramp; none for a sum.
     pub index: Binding,
+    /// How a ramp goes from stop to stop.
+    pub interpolation: Binding,
+    /// Where the values of a ramp stand; else empty.
+    pub positions: Vec<Binding>,
     /// At least one.
     pub values: Vec<Binding>,
     /// The type of all of them.
@@ -24,18 +28,10 @@ pub(super) struct List<'l> {
 }
 
 impl List<'_> {
-    /// The node that takes the place of this one, and those that are added; none where the library
-    /// lacks their types.
-    pub fn nodes(self, form: ListForm) -> Option<(Node, Vec<Node>)> {
-        match form {
-            ListForm::Element => self.element(),
-            ListForm::Sum => self.sum(),
-        }
-    }
-
     /// From the last value to the first: whether the index is at most this one's, and if not the
-    /// rest.
-    fn element(self) -> Option<(Node, Vec<Node>)> {
+    /// rest. The node that takes the place of this one, and those that are added; none where the library
+    /// lacks their types.
+    pub fn element(self) -> Option<(Node, Vec<Node>)> {
         let Values { index, mut values, .. } = self.values;
         let generic = self.values.generic;
         let mut added = Vec::new();
@@ -68,7 +64,8 @@ impl List<'_> {
         None
     }
 
-    fn sum(self) -> Option<(Node, Vec<Node>)> {
+    /// From the first value to the last.
+    pub fn sum(self) -> Option<(Node, Vec<Node>)> {
         let Values { values, generic, .. } = self.values;
         let mut added: Vec<Node> = Vec::new();
         let mut values = values.into_iter();
@@ -92,11 +89,11 @@ impl List<'_> {
     }
 }
 
-fn truth() -> Binding {
+pub(super) fn truth() -> Binding {
     Binding::Literal(Literal::Boolean(true))
 }
 
-fn select(
+pub(super) fn select(
     library: &NodeLibrary,
     name: &str,
     generic: Type,
@@ -107,7 +104,7 @@ fn select(
     node(library, "select", name.to_owned(), Some(generic), inputs)
 }
 
-fn node(
+pub(super) fn node(
     library: &NodeLibrary,
     type_name: &str,
     name: String,

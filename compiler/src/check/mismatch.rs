@@ -2,7 +2,8 @@
 
 use crate::diagnostics::{Advice, Code, Finding, shortened};
 use crate::document::{Reader, Value, ValueKind};
-use crate::nodes::{DefaultValue, Kind, NodeLibrary, Signature};
+use crate::nodes::{DefaultValue, Input, Kind, NodeLibrary, Signature};
+use crate::state::Field;
 use crate::values::Type;
 
 use super::color_literals;
@@ -224,7 +225,9 @@ fn converter(signature: &Signature, from: Type, to: Type) -> Option<(usize, Stri
         .inputs
         .iter()
         .any(|input| matches!(input.default, DefaultValue::Required) && input.value_type != from);
-    if needs_more || !taken.contains(&true) {
+    // What looks at a place makes nothing of it.
+    let looks = |input: &Input| matches!(input.default, DefaultValue::State(Field::Point));
+    if needs_more || !taken.contains(&true) || signature.inputs.iter().any(looks) {
         return None;
     }
     let all = taken.iter().all(|taken| *taken);

@@ -41,6 +41,7 @@ mod nodes;
 mod outputs;
 mod phenomenon;
 mod presets;
+mod ramps;
 mod ranges;
 mod reach;
 mod reachable;

@@ -226,7 +226,7 @@ codes! {
         wrong r##"{ "phenomenon": "a", "roots": { "material": { "srgb": [1, 128, 0] } } }"##,
         right r##"{ "phenomenon": "a", "roots": { "material": { "srgb": "#ff8000" } } }"##;
     WRONG_LENGTH "wrong-length" Error "A list of the wrong length",
-        "An array has the length its default has, so that every part of it is known before anything is evaluated. Where it is given, there must be as many values. A list with nothing in it has no value at all.",
+        "An array has the length its default has, so that every part of it is known before anything is evaluated. Where it is given, there must be as many values. A list with nothing in it has no value at all, and each value of a ramp has a position.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "sum", "inputs": { "values": [] } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "sum", "inputs": { "values": [0.25, 0.5] } } }, "roots": { "material": { "node": "n" } } }"#;
     UNREACHABLE_NODE "unreachable-node" Warning "A node no root reaches",

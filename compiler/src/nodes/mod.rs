@@ -92,7 +92,17 @@ nodes! {
         blend, blend_hue, color_mix, composite, inside, outside, premultiply, unpremultiply,
     }
     /// Patterns that look like chance, the same at every look.
-    noise { perlin_noise }
+    noise {
+        cell_noise, fractal_noise, gradient_noise, perlin_2002, perlin_noise, random_color,
+        random_scalar, worley_noise,
+    }
+    /// Figures and tiles over u and v, or in space.
+    patterns {
+        bricks, checker, checker_3d, circle, cloverleaf, crosshatch, flakes, grid, hexagon,
+        hexagon_tiles, line, split_left_right, split_top_bottom, stripes, tiled_shapes,
+    }
+    /// From one value to another over a distance.
+    ramps { curve, gradient, ramp, ramp4, ramp_left_right, ramp_segment, ramp_top_bottom }
     /// Comparing and choosing.
     logic {
         and, between, equal, greater, greater_equal, less, less_equal, nearly_equal, not, not_equal,

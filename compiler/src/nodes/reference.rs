@@ -8,6 +8,15 @@ use crate::values::Type;
 
 use super::{Avoid, DefaultValue, Definition, FINITE, Kind, NOT_NEGATIVE, NodeLibrary, Signature};
 
+/// Groups of nodes that are seen rather than read about.
+const PICTURED: &[&str] = &["color", "noise", "patterns", "ramps", "shading", "textures"];
+
+/// Whether the page shows a picture of a node: `pictures/nodes/NAME.png`, rendered by the test
+/// `node_pictures`.
+pub fn is_pictured(signature: &Signature) -> bool {
+    PICTURED.contains(&signature.group) || signature.name == "texture_lookup"
+}
+
 /// `docs/nodes.md`: every node of `library` in Markdown, by group.
 pub fn reference(library: &NodeLibrary) -> String {
     let mut page = String::from(
@@ -37,7 +46,12 @@ pub fn reference(library: &NodeLibrary) -> String {
 
 fn write_node(page: &mut String, definition: &Definition) {
     let signature = &definition.signature;
-    let _ = write!(page, "\n### {}\n\n{}\n", signature.name, signature.doc);
+    let _ = write!(page, "\n### {}\n\n", signature.name);
+    if is_pictured(signature) {
+        let name = &signature.name;
+        let _ = write!(page, "![What `{name}` looks like](pictures/nodes/{name}.png)\n\n");
+    }
+    let _ = writeln!(page, "{}", signature.doc);
     let _ = write!(page, "{}{}", kind(signature), types(definition));
     if !signature.inputs.is_empty() {
         page.push_str(

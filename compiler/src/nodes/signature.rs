@@ -245,6 +245,8 @@ pub enum ListForm {
     Element,
     /// The sum in list order: an `add` for each value but the first.
     Sum,
+    /// A value by position along stops: a `ramp_segment` for each value but the first, chosen by `select`.
+    Ramp,
 }
 
 /// The signature of a node type.

@@ -1,4 +1,5 @@
-use crate::emit::{Mask, Real};
+use crate::emit::Real;
+use crate::emit::functions::passage::mixed;
 use crate::nodes::finite::SUMMAND;
 
 node! {
@@ -18,18 +19,7 @@ node! {
         /// The mixture.
         result: generic;
     }
-    body |e, i| {
-        let (a, b) = (i.a.to_words(), i.b.to_words());
-        let (zero, one) = (e.real(0.0), e.real(1.0));
-        let rest = one - i.weight;
-        let mut mixed = a;
-        for k in 0..4 {
-            // Exact at both ends, and no overflow of b - a.
-            mixed[k] = b[k].mul_add(i.weight, a[k] * rest);
-        }
-        let with_a = i.weight.not_equal(one).select(T::from_words(mixed), i.b);
-        Outputs { result: i.weight.not_equal(zero).select(with_a, i.a) }
-    }
+    body |e, i| Outputs { result: mixed(i.a, i.b, i.weight) }
 }
 
 #[cfg(test)]
