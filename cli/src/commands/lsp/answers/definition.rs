@@ -6,14 +6,14 @@ use phenomenon_compiler::document::{Document, Member, Value, ValueKind};
 use super::links::FILE_KEYS;
 use crate::commands::lsp::address::uri_of;
 use crate::commands::lsp::file::{OpenFile, range_in};
-use crate::commands::lsp::names::Index;
+use crate::commands::lsp::names;
 use crate::commands::lsp::open_files::OpenFiles;
 use crate::commands::lsp::part::text;
 
 /// Where the name under a byte is given, in this file or in one it uses; of the name of a file, its beginning.
 pub fn definition(file: &OpenFile, at: usize, files: &OpenFiles) -> Option<Location> {
     let document = file.current()?;
-    let index = Index::of(document);
+    let index = names::index(document);
     if let Some(name) = index.name_at(at) {
         return Some(Location { uri: file.own_uri()?, range: file.range_of(&name.place) });
     }

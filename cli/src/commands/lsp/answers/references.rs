@@ -3,11 +3,11 @@
 use lsp_types::{DocumentHighlight, DocumentHighlightKind, Location};
 
 use crate::commands::lsp::file::OpenFile;
-use crate::commands::lsp::names::Index;
+use crate::commands::lsp::names;
 
 /// Where the name under a byte is used, and given if the declaration is wanted too.
 pub fn references(file: &OpenFile, at: usize, with_declaration: bool) -> Option<Vec<Location>> {
-    let index = Index::of(file.current()?);
+    let index = names::index(file.current()?);
     let name = index.name_at(at)?;
     let given = with_declaration.then_some(&name.place);
     let places = given.into_iter().chain(index.uses_of(name).map(|used| &used.place));
@@ -17,7 +17,7 @@ pub fn references(file: &OpenFile, at: usize, with_declaration: bool) -> Option<
 
 /// The same for the editor to mark.
 pub fn highlights(file: &OpenFile, at: usize) -> Option<Vec<DocumentHighlight>> {
-    let index = Index::of(file.current()?);
+    let index = names::index(file.current()?);
     let name = index.name_at(at)?;
     let mark = |place, kind| DocumentHighlight { range: file.range_of(place), kind: Some(kind) };
     let mut marks = vec![mark(&name.place, DocumentHighlightKind::WRITE)];

@@ -9,13 +9,13 @@ use phenomenon_compiler::document::{Member, Value, ValueKind};
 
 use crate::commands::lsp::address::names_of;
 use crate::commands::lsp::file::OpenFile;
-use crate::commands::lsp::names::{Index, Name, NameKind};
+use crate::commands::lsp::names::{self, Name, NameKind};
 use crate::commands::lsp::open_files::OpenFiles;
 use crate::commands::lsp::part::text;
 
 /// What would be renamed at a byte.
 pub fn prepare(file: &OpenFile, at: usize) -> Option<PrepareRenameResponse> {
-    let index = Index::of(file.current()?);
+    let index = names::index(file.current()?);
     let name = index.name_at(at)?;
     let place = index.place_at(at)?;
     Some(PrepareRenameResponse::RangeWithPlaceholder {
@@ -35,7 +35,7 @@ pub fn rename(
     files: &OpenFiles,
 ) -> Result<WorkspaceEdit, String> {
     let document = file.current().ok_or("the file is not JSON now: mend that first")?;
-    let index = Index::of(document);
+    let index = names::index(document);
     let name = index.name_at(at).ok_or("nothing that has a name stands there")?;
     if let Some(mistake) = name_mistake("the name", new) {
         return Err(format!("{mistake}: use letters, digits, `_` and `-`, at most 256 of them"));

@@ -6,7 +6,7 @@ use lsp_types::{SemanticToken, SemanticTokenModifier, SemanticTokenType};
 use phenomenon_compiler::document::{Value, ValueKind};
 
 use crate::commands::lsp::file::OpenFile;
-use crate::commands::lsp::names::{Index, NameKind};
+use crate::commands::lsp::names::{self, NameKind};
 
 /// The kinds of tokens, by their numbers in the protocol, and what may be said of each.
 pub const LEGEND: (&[SemanticTokenType], &[SemanticTokenModifier]) = (
@@ -28,7 +28,7 @@ const DECLARATION: u32 = 1;
 /// The tokens of the file, each with its place after the one before, as the protocol has it.
 pub fn tokens(file: &OpenFile) -> Option<Vec<SemanticToken>> {
     let document = file.current()?;
-    let index = Index::of(document);
+    let index = names::index(document);
     let mut found: Vec<(Range<usize>, u32, u32)> = Vec::new();
     for name in &index.names {
         found.push((name.place.clone(), kind_of(name.kind), DECLARATION));

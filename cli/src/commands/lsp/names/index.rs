@@ -2,10 +2,6 @@
 
 use std::ops::Range;
 
-use phenomenon_compiler::document::Document;
-
-use super::scan;
-
 /// What has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NameKind {
@@ -61,11 +57,6 @@ pub struct Index {
 }
 
 impl Index {
-    /// The names of a graph or a scene.
-    pub fn of(document: &Document) -> Self {
-        scan::scan(document)
-    }
-
     /// The name under a byte, or the one that is used there: where it is given.
     pub fn name_at(&self, at: usize) -> Option<&Name> {
         let given = self.names.iter().find(|name| touches(&name.place, at));

@@ -3,4 +3,5 @@
 mod index;
 mod scan;
 
-pub use index::{Index, Name, NameKind, Use};
+pub use index::{Name, NameKind};
+pub use scan::index;

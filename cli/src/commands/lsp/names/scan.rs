@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use phenomenon_compiler::document::{Document, Member, Value, ValueKind};
 
-use super::{Index, Name, NameKind, Use};
+use super::index::{Index, Name, NameKind, Use};
 
 /// The names of a graph or a scene.
-pub fn scan(document: &Document) -> Index {
+pub fn index(document: &Document) -> Index {
     let mut scan = Scan { text: &document.file.text, index: Index::default() };
     let root = &document.root;
     scan.index.scopes.push(None);
