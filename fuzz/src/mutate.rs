@@ -145,7 +145,9 @@ fn change(document: &mut Document, chance: &mut Chance) {
                 _ => elements.insert(one, elements[one].clone()),
             }
         }
-        (1.., ValueKind::String(text)) => *text = word(&own, chance),
+        (1.., ValueKind::String(text)) => {
+            *text = if chance.below(4) == 0 { expression(&own, chance) } else { word(&own, chance) };
+        }
         _ => *target = piece(&before, &own, chance),
     }
 }
@@ -174,7 +176,7 @@ fn piece(tree: &Value, own: &[&str], chance: &mut Chance) -> Value {
     };
     let string = |chance: &mut Chance| value(ValueKind::String(word(own, chance)));
     let object = |members| value(ValueKind::Object(members));
-    match chance.below(10) {
+    match chance.below(11) {
         0 => {
             let mut tree = tree.clone();
             let total = count(&tree);
@@ -205,6 +207,34 @@ fn piece(tree: &Value, own: &[&str], chance: &mut Chance) -> Value {
             object(vec![member("file", value(ValueKind::String(file)))])
         }
         8 => object(vec![member("light", string(chance))]),
+        9 => {
+            let text = value(ValueKind::String(expression(own, chance)));
+            let mut members = vec![member("expression", text)];
+            if chance.below(2) == 0 {
+                let bound = member(&word(own, chance), piece(tree, own, chance));
+                members.push(member("where", object(vec![bound])));
+            }
+            object(members)
+        }
         _ => number(chance),
     }
+}
+
+/// What stands between the names of an expression.
+const SIGNS: [&str; 24] = [
+    " + ", " - ", " * ", " / ", " ** ", " % ", " < ", " == ", " && ", " or ", "!", "-", "(", ")", "[", "]", ", ",
+    ": ", " ? ", ".", ".x", ".rgb", "'", "vector(",
+];
+
+/// An expression, more or less.
+fn expression(own: &[&str], chance: &mut Chance) -> String {
+    let mut text = String::new();
+    for _ in 0..=chance.below(12) {
+        match chance.below(4) {
+            0 => text.push_str(chance.of(&NUMBERS).unwrap_or("0")),
+            1 => text.push_str(&word(own, chance)),
+            _ => text.push_str(chance.of(&SIGNS).unwrap_or("")),
+        }
+    }
+    text
 }

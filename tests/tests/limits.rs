@@ -17,7 +17,9 @@ use phenomenon_compiler::check::{
     read_graph_file,
 };
 use phenomenon_compiler::diagnostics::grouped;
-use phenomenon_compiler::document::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES, read};
+use phenomenon_compiler::document::{
+    MAX_DEPTH, MAX_EXPRESSION, MAX_EXPRESSION_DEPTH, MAX_FILE_BYTES, MAX_VALUES, read,
+};
 use phenomenon_compiler::engine::{Engine, Options, Shader};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
@@ -47,11 +49,23 @@ const fn limit(
     Limit { what, most, said, past }
 }
 
-const GRAPHS: [Limit; 12] = [
+const GRAPHS: [Limit; 14] = [
     limit("bytes of a graph or a scene", MAX_FILE_BYTES as u64, "`file-too-large`", huge_file),
     limit("values in a file", MAX_VALUES as u64, "`file-too-large`", many_values),
     limit("nesting of lists and objects", MAX_DEPTH as u64, "`too-deep`", deep_nesting),
     limit("characters of a name", MAX_NAME as u64, "`bad-name`", long_name),
+    limit(
+        "characters of an expression",
+        MAX_EXPRESSION as u64,
+        "`expression-syntax`",
+        long_expression,
+    ),
+    limit(
+        "nesting of brackets, signs and choices in an expression",
+        MAX_EXPRESSION_DEPTH as u64,
+        "`expression-syntax`",
+        deep_expression,
+    ),
     limit(
         "nodes, those of nested phenomena included",
         MAX_NODES as u64,
@@ -219,6 +233,25 @@ fn long_name(_: &Path) -> String {
     };
     graph(&with(MAX_NAME));
     code(&check(&with(MAX_NAME + 1)))
+}
+
+fn expression(text: &str) -> Checked {
+    check(&phenomenon("", &format!(r#"{{"expression":"{text}"}}"#)))
+}
+
+fn long_expression(_: &Path) -> String {
+    // Every character of a sum is a sign or a number.
+    let with = |length: usize| format!("1{}", "+1".repeat(length / 2));
+    assert!(expression(&with(MAX_EXPRESSION - 2)).graph.is_some());
+    code(&expression(&with(MAX_EXPRESSION)))
+}
+
+fn deep_expression(_: &Path) -> String {
+    let with = |depth: usize| format!("{}1{}", "(".repeat(depth), ")".repeat(depth));
+    // The expression itself is one of them.
+    assert!(expression(&with(MAX_EXPRESSION_DEPTH - 1)).graph.is_some());
+    assert_eq!(code(&expression(&"(".repeat(1_000_000))), "`expression-syntax`");
+    code(&expression(&with(MAX_EXPRESSION_DEPTH)))
 }
 
 /// Phenomena of two of the next one: twenty files, a million nodes and more.

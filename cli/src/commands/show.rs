@@ -22,13 +22,18 @@ pub struct Arguments {
     #[arg(short, value_name = "FILE.svg|dot", value_parser = drawing,
           value_hint = ValueHint::FilePath)]
     output: Drawing,
+
+    /// Draw the nodes that expressions became, not one box with the text of each
+    #[arg(long)]
+    open: bool,
 }
 
 const EXAMPLES: &str = "\
 Parameters stand at the left, roots and outputs at the right. Colour and shape of a socket tell its type, a
 hollow socket is evaluated only where needed, a double one in the scope of its node. A pill is
 a default that is evaluated: a field of the state, or a node without a box. What is never evaluated
-is faded, with a cross where constants rule an input out. An SVG is drawn of up to 5,000 boxes; DOT has no limit.
+is faded, with a cross where constants rule an input out. An expression is one box with its text;
+`--open` draws its nodes. An SVG is drawn of up to 5,000 boxes; DOT has no limit.
 
 Examples:
   phenomenon show graphs/glass/advanced_glass.json -o glass.svg
@@ -68,7 +73,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let output = Output { flag: "-o", path: arguments.output.path() };
     output.require_writable()?;
     let library = NodeLibrary::standard();
-    let graph = graphs::read(&arguments.graph, &library)?;
+    let mut graph = graphs::read(&arguments.graph, &library)?;
+    if arguments.open {
+        graph.expressions.clear();
+    }
     outputs::require_apart(&[output])?;
     let text = match arguments.output {
         Drawing::Svg(_) => draw_svg(&graph),

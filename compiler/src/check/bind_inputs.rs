@@ -153,10 +153,7 @@ fn bind_list<'d>(
         given[at] = true;
         let declared = &signature.inputs[at];
         let to = due(&input.source, declared, generic);
-        let what = || {
-            let of = shortened(draft.name(node));
-            format!("input `{}` of node `{of}` ({})", declared.name, signature.name)
-        };
+        let what = || format!("input `{}` of {}", declared.name, draft.described(node));
         let Some(to) = to else {
             complete = false;
             continue;
@@ -240,10 +237,7 @@ fn bind_node<'d>(
         given[at] = true;
         let generic = signature.inputs[at].value_type == Type::Generic;
         let to = due(&input.source, &signature.inputs[at], types.generic(node));
-        let what = || {
-            let (name, of) = (&signature.inputs[at].name, shortened(draft.name(node)));
-            format!("input `{name}` of node `{of}` ({})", signature.name)
-        };
+        let what = || format!("input `{}` of {}", signature.inputs[at].name, draft.described(node));
         let Some(to) = to else { continue };
         let declared = &signature.inputs[at];
         let labels = labels(draft, node_type, at);

@@ -29,11 +29,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
                     parameters.push(format!("`{name}`"));
                     format!("parameter `{name}`")
                 }
-                SourceKind::Node(node, Some(output)) => {
-                    let Some(node_type) = draft.nodes[node].node_type else { continue };
-                    let output = &draft.node_types.signature(node_type).outputs[output].name;
-                    format!("output `{output}` of node `{}`", shortened(draft.name(node)))
-                }
+                SourceKind::Node(node, Some(output)) => draft.described_output(node, output),
                 _ => continue,
             };
             let is = match intervals.arriving(draft, at, earlier).as_slice() {
@@ -48,11 +44,8 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
             false => reasons.join(" and "),
         };
         let input = &signature.inputs[dead].name;
-        let name = shortened(draft.name(at));
-        let message = format!(
-            "input `{input}` of node `{name}` ({}) is never evaluated: {why}",
-            signature.name
-        );
+        let message =
+            format!("input `{input}` of {} is never evaluated: {why}", draft.described(at));
         let help = match parameters.is_empty() {
             true => format!(
                 "connect {} to something that varies, or remove `{input}`",

@@ -4,11 +4,13 @@ use std::cell::{Cell, RefCell};
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
+use crate::diagnostics::shortened;
 use crate::document::{Member, Value};
 use crate::graph::{Parameter, RootKind};
 use crate::nodes::{NodeLibrary, NodeType};
 use crate::values::Type;
 
+use super::expressions::Rewritten;
 use super::limits::MAX_NODES;
 use super::nested::Nested;
 use super::node_types::NodeTypes;
@@ -46,6 +48,8 @@ pub(super) struct Draft<'d> {
     /// Whether something was left out that may have held connections: a second `nodes`, a root of
     /// unknown type.
     pub unresolved: Cell<bool>,
+    /// What became of the file's expressions, where it has some.
+    pub written: Option<&'d Rewritten>,
 }
 
 /// An interface parameter, or a part of one.
@@ -153,6 +157,7 @@ impl<'d> Draft<'d> {
             compound_names: HashMap::new(),
             node_names: HashMap::new(),
             unresolved: Cell::new(unresolved),
+            written: None,
         }
     }
 
@@ -217,6 +222,35 @@ impl<'d> Draft<'d> {
             }
         }
         found
+    }
+
+    /// What findings call a node: "node `shade` (mix)", or the operator it was written for.
+    pub fn described(&self, node: usize) -> String {
+        let node_type = self.nodes[node].node_type;
+        let kind = node_type.map_or("", |it| &*self.node_types.signature(it).name);
+        let name = self.name(node);
+        match self.written.and_then(|written| written.texts.get(name)) {
+            Some(text) if text.mark == kind => format!("`{kind}`"),
+            Some(text) => format!("`{}` ({kind})", shortened(&text.mark)),
+            None => format!("node `{}` ({kind})", shortened(name)),
+        }
+    }
+
+    /// What findings call an output of a node, or the part of an expression that it is.
+    pub fn described_output(&self, node: usize, output: usize) -> String {
+        let name = self.name(node);
+        if let Some(text) = self.written.and_then(|written| written.texts.get(name)) {
+            return format!("`{}`", shortened(&text.whole));
+        }
+        let node_type = self.nodes[node].node_type;
+        let output =
+            node_type.map_or("", |it| &*self.node_types.signature(it).outputs[output].name);
+        format!("output `{output}` of node `{}`", shortened(name))
+    }
+
+    /// Whether a node was written out of an expression.
+    pub fn is_written(&self, name: &str) -> bool {
+        self.written.is_some_and(|written| written.texts.contains_key(name))
     }
 
     /// The nodes a node reads, known and unknown inputs alike.

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use crate::diagnostics::Code;
 use crate::document::{Reader, Value};
-use crate::graph::{Binding, Graph, Node, Root};
+use crate::graph::{Binding, Expression, Graph, Node, Root};
 use crate::nodes::NodeLibrary;
 use crate::values::Type;
 
@@ -78,6 +78,7 @@ pub(super) fn expand(
         }
     }
     let ruled_out = ruled_out(&graph, &places);
+    let expressions = expressions(&graph, &places);
     let mut roots = Vec::with_capacity(graph.roots.len());
     for root in &graph.roots {
         let color = expansion.resolve(None, &root.color, Type::Color);
@@ -89,7 +90,21 @@ pub(super) fn expand(
         output.value = expansion.resolve(None, &output.value, output.value_type);
     }
     drop(expansion);
-    Some(Graph { nodes, roots, outputs, ruled_out, ..graph })
+    Some(Graph { nodes, roots, outputs, ruled_out, expressions, ..graph })
+}
+
+/// The expressions of the graph and of its phenomena.
+fn expressions(graph: &Graph, places: &[Placed]) -> Vec<Expression> {
+    let mut all = graph.expressions.clone();
+    for (node, place) in graph.nodes.iter().zip(places) {
+        if let Placed::Phenomenon(_, nested) = place {
+            all.extend(nested.graph.expressions.iter().map(|inner| Expression {
+                name: format!("{}/{}", node.name, inner.name),
+                text: inner.text.clone(),
+            }));
+        }
+    }
+    all
 }
 
 /// What is never evaluated, in the places where the nodes went.

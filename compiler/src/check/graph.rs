@@ -8,6 +8,7 @@ use crate::document::{Document, Reader, all_mistakes, read_file};
 use crate::graph::Graph;
 use crate::nodes::{NodeLibrary, Signature};
 
+use super::expressions;
 use super::files::{Files, OnDisk};
 use super::nested::Nested;
 use super::phenomenon::{self, Given};
@@ -52,7 +53,7 @@ pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn 
     let mut checked: Vec<Option<Rc<Nested>>> = Vec::new();
     let mut found = Findings::default();
     while let Some(Reached { content, uses }) = reachable.next() {
-        let given = Given { library, files, checked: &checked };
+        let given = Given { library, files, checked: &checked, written: &[] };
         let (findings, phenomenon) = match content {
             Content::Mistakes(findings) => (findings, None),
             Content::Document(document, named) => check_one(&document, given, named),
@@ -64,8 +65,9 @@ pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn 
         }
         checked.push(phenomenon.map(Rc::new));
     }
+    let written = expressions::room(&document.root);
     let mut reader = Reader::new(document);
-    let given = Given { library, files, checked: &checked };
+    let given = Given { library, files, checked: &checked, written: &written };
     let mut named = reachable.into_named();
     let phenomenon = phenomenon::check(&mut reader, given, &mut named);
     // What is wrong in the files it uses follows what is wrong in itself.
@@ -87,7 +89,9 @@ fn check_one(
     given: Given<'_>,
     mut named: Named,
 ) -> (Vec<Finding>, Option<Nested>) {
+    let written = expressions::room(&document.root);
     let mut reader = Reader::new(document);
+    let given = Given { written: &written, ..given };
     let phenomenon = phenomenon::check(&mut reader, given, &mut named);
     let phenomenon = phenomenon.filter(|_| !reader.findings.has_errors());
     (reader.findings.into_sorted(), phenomenon)

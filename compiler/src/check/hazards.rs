@@ -25,13 +25,13 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
             }
             let place = Arrival { draft, intervals, node: at, input, given };
             let Some(arriving) = place.hazard(avoid) else { continue };
-            let (of, name) = (shortened(draft.name(at)), &signature.name);
             let (does, convention) = match avoid {
                 Avoid::Zero => ("divides by", "a division by 0 gives 0"),
                 Avoid::Negative => ("raises to a power", "see docs/numerics.md for its value"),
             };
             let message = format!(
-                "node `{of}` ({name}) {does} its input `{}`, which {arriving}",
+                "{} {does} its input `{}`, which {arriving}",
+                draft.described(at),
                 declared.name
             );
             let help = format!("keep such values away with its range or a `maximum`; {convention}");
@@ -92,13 +92,12 @@ impl Arrival<'_, '_> {
             let reached = word.reached.filter(|reached| reaches(reached, avoid))?;
             self.intervals.holds_at(self.node, self.input, word.sources).then_some((word, reached))
         })?;
-        let name = shortened(self.draft.name(node));
+        let of = self.draft.described_output(node, output);
         let output = &signature.outputs[output];
         let (low, high) = (f64::from(reached.low), f64::from(reached.high));
-        let of = format!("output `{}` of node `{name}`", output.name);
         Some(match (reached.varies(), word.sources) {
             (true, _) => format!("{}: {of} is {}", may_be(avoid), described(low, high)),
-            (false, 0) => format!("is {}, output `{}` of node `{name}`", low + 0.0, output.name),
+            (false, 0) => format!("is {}, {of}", low + 0.0),
             (false, _) if output.value_type.is_numeric() && output.range != FINITE => {
                 format!("{}: {of} is {}", may_be(avoid), shown(&output.range))
             }

@@ -376,6 +376,30 @@ pub static CONNECTION: Section = Section {
 /// The names of the keys of a connection: first those of one to a node, then those of others.
 pub const CONNECTION_KEYS: [&str; 3] = names_of(&CONNECTION);
 
+/// What is computed from what other connections give.
+pub static EXPRESSION: Section = Section {
+    name: "expression",
+    what: "an expression",
+    keys: &[
+        key(
+            "expression",
+            Kind::Text,
+            Given::Required,
+            "What is computed: `\"0.5 * (noise + 1) * tint.r\"`. [Expressions](expressions.md) tells what may stand there",
+        ),
+        key(
+            "where",
+            Kind::Value { text: "values by name", definition: "where" },
+            Given::Default("{}"),
+            "Names for values: literals, connections, other expressions. Each is known to the expression, and to those after it",
+        ),
+    ],
+    one_of: &[],
+};
+
+/// The names of the keys of an expression.
+pub const EXPRESSION_KEYS: [&str; 2] = names_of(&EXPRESSION);
+
 /// A picture.
 pub static TEXTURE: Section = Section {
     name: "texture",
@@ -394,7 +418,7 @@ pub static TEXTURE: Section = Section {
 
 /// All objects of graph files whose keys are known.
 pub fn sections() -> Vec<&'static Section> {
-    [PHENOMENON.all(), vec![&ROOT, &CONNECTION, &TEXTURE, &COLOR]].concat()
+    [PHENOMENON.all(), vec![&ROOT, &CONNECTION, &EXPRESSION, &TEXTURE, &COLOR]].concat()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What the turns of a loop provide is read only below its body.
 
-use crate::diagnostics::{Code, Finding, shortened};
+use crate::diagnostics::{Code, Finding};
 use crate::document::{Reader, Value};
 use crate::nodes::{Kind, is_of_turn, reads_turn};
 use crate::state::Iterated;
@@ -116,8 +116,6 @@ impl Walk<'_, '_> {
             return;
         }
         let drafted = &self.draft.nodes[node];
-        let kind = drafted.node_type.map_or("", |it| &*self.draft.node_types.signature(it).name);
-        let name = shortened(&drafted.member.key);
         let by = if input.is_empty() {
             String::new()
         } else {
@@ -133,7 +131,8 @@ impl Walk<'_, '_> {
                 ("sample", "sample loop", help)
             }
         };
-        let message = format!("node `{name}` ({kind}) reads the {what}{by} outside of a {of}");
+        let message =
+            format!("{} reads the {what}{by} outside of a {of}", self.draft.described(node));
         let place = reader.document.place_of_key(drafted.member);
         let mut finding = Finding::new(Code::OUTSIDE_LIGHT_LOOP, place, message, help);
         if let Some(from) = from {

@@ -8,6 +8,7 @@ use crate::values::Type;
 
 use super::color_literals;
 use super::draft::{Draft, Source, SourceKind};
+use super::expressions::remedy;
 use super::shape::Shape;
 use super::type_names::{form, with_article};
 
@@ -104,7 +105,12 @@ pub(super) fn connection(
 ) {
     let (whole, part) = describe(draft, source);
     let given = format!("but {whole} is {}", with_article(from));
-    let help = help(draft.node_types.library, from, to, &part);
+    let is_written =
+        matches!(source.kind, SourceKind::Node(node, _) if draft.is_written(draft.name(node)));
+    let help = match is_written && !to.is_uniform() {
+        true => remedy(from, to, &part),
+        false => help(draft.node_types.library, from, to, &part),
+    };
     let texts = (&*what(), &*with_article(to), &*given);
     let finding = mismatch(reader, source.value, texts, help);
     let parameter = match source.kind {
@@ -147,6 +153,10 @@ fn describe_whole(draft: &Draft<'_>, source: &Source<'_>) -> (String, String) {
             (format!("parameter `{name}`"), name)
         }
         SourceKind::Node(node, Some(output)) => {
+            if draft.is_written(draft.name(node)) {
+                let text = draft.described_output(node, output);
+                return (text.clone(), text.trim_matches('`').to_owned());
+            }
             let name = shortened(draft.name(node));
             let output = draft.nodes[node].node_type.map_or("", |node_type| {
                 &*draft.node_types.signature(node_type).outputs[output].name

@@ -21,6 +21,7 @@ mod dead_inputs;
 mod declarations;
 mod draft;
 mod expand;
+mod expressions;
 mod files;
 mod fixed_inputs;
 mod graph;
@@ -59,6 +60,7 @@ mod types;
 mod used_phenomena;
 mod value_keys;
 
+pub use expressions::{FUNCTIONS, Function};
 pub use files::{Files, OnDisk};
 pub use graph::{Checked, as_node, check_graph, check_graph_with, read_graph_file};
 pub use limits::{

@@ -32,7 +32,9 @@ pub(super) fn read<'d>(
         return None;
     }
     for (at, member) in members.iter().enumerate() {
-        check_key(reader, member, "the name of a node");
+        if !draft.is_written(&member.key) {
+            check_key(reader, member, "the name of a node");
+        }
         draft.node_names.insert(&member.key, at);
         let node_type = read_header(reader, member, draft);
         draft.nodes.push(DraftNode { member, node_type, inputs: Vec::new() });

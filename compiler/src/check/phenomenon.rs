@@ -1,5 +1,6 @@
 //! The check of one phenomenon.
 
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 use crate::diagnostics::{Code, Finding, shortened};
@@ -9,6 +10,7 @@ use crate::nodes::NodeLibrary;
 
 use super::bind::Bound;
 use super::draft::Draft;
+use super::expressions::Rewritten;
 use super::files::Files;
 use super::inner::Inner;
 use super::intervals::Intervals;
@@ -16,7 +18,7 @@ use super::nested::Nested;
 use super::reachable::Named;
 use super::used_phenomena::Known;
 use super::{
-    bind, cycles, dead_inputs, expand, hazards, interface, keys, loops, names, nodes, outputs,
+    bind, cycles, dead_inputs, expand, expressions, hazards, interface, keys, loops, names, nodes, outputs,
     presets, ranges, reach, requirements, roots, stations, textures, types, used_phenomena,
 };
 
@@ -29,6 +31,8 @@ pub(super) struct Given<'g> {
     pub files: &'g dyn Files,
     /// The files that were reached, as far as they are phenomena that can be used.
     pub checked: &'g [Option<Rc<Nested>>],
+    /// Keeps what becomes of the expressions of the file and of each phenomenon in it.
+    pub written: &'g [OnceCell<Rewritten>],
 }
 
 /// What a phenomenon says of itself.
@@ -88,9 +92,16 @@ fn check_one<'d>(
         None => (&keys::PHENOMENON, keys::PHENOMENON.what.to_owned()),
         Some(member) => (&keys::INNER, format!("the phenomenon `{}`", shortened(&member.key))),
     };
+    let known = Known { named, files: given.checked, inner, scope: at };
+    let written = expressions::write_out(reader, value, given.library, known);
+    let told = reader.findings.iter().count();
+    let written = written.zip(given.written.get(at));
+    let written = written.map(|(written, kept)| kept.get_or_init(|| written));
+    let value = written.map_or(value, |written| &written.root);
     let object = reader.object(value, &what, &section.names())?;
     let header = read_header(reader, &object, member);
-    let mut draft = Draft::new(given.library, unresolved);
+    let mut draft = Draft::new(given.library, unresolved || reader.findings.errors() > before);
+    draft.written = written;
     let nodes = object.optional("nodes");
     let known = Known { named, files: given.checked, inner, scope: at };
     used_phenomena::declare(reader, nodes, &mut draft, known);
@@ -110,11 +121,15 @@ fn check_one<'d>(
     let parameters: Option<Vec<Parameter>> =
         draft.parameters.iter_mut().map(|given| given.parameter.take()).collect();
     let Header { name, version, doc } = header;
+    if let Some(written) = written {
+        written.mend_fixes(&mut reader.findings, told);
+    }
+    let expressions = written.map_or(Vec::new(), |written| written.expressions.clone());
     let Bound { nodes, roots, outputs } = bound;
     let (library, parameters) = (given.library.clone(), parameters?);
     #[rustfmt::skip]
     let graph = Graph {
-        library, name, doc, version, requirements, parameters, presets: Vec::new(), nodes, roots, outputs, ruled_out,
+        library, name, doc, version, requirements, parameters, presets: Vec::new(), nodes, roots, outputs, ruled_out, expressions,
     };
     // Those of a phenomenon within the file are told to be no key of it.
     let presets = object.optional("presets").filter(|_| member.is_none());

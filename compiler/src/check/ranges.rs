@@ -26,10 +26,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
             if input.range == FINITE || !input.value_type.is_numeric() {
                 continue;
             }
-            let what = || {
-                let name = shortened(draft.name(node));
-                format!("input `{}` of node `{name}` ({})", input.name, signature.name)
-            };
+            let what = || format!("input `{}` of {}", input.name, draft.described(node));
             match given.source.kind {
                 SourceKind::Literal => {
                     let enforced = is_enforced(draft, node_type, input);
@@ -175,18 +172,24 @@ fn computed(
     input: &Input,
     what: &dyn Fn() -> String,
 ) {
-    let (Some(node_type), Some(reached)) = (draft.nodes[node].node_type, word.reached) else {
-        return;
-    };
-    let output = &draft.node_types.signature(node_type).outputs[output].name;
-    let name = shortened(draft.name(node));
+    let Some(reached) = word.reached else { return };
     let own = described(reached.low.into(), reached.high.into());
     let is = if word.sources == 0 { "is" } else { "may be" };
     let range = shown(&input.range);
-    let message =
-        format!("{} takes {range}, but output `{output}` of node `{name}` {is} {own}", what());
-    let help = format!("clamp it, or change what `{name}` makes it of");
+    let message = format!(
+        "{} takes {range}, but {} {is} {own}",
+        what(),
+        draft.described_output(node, output)
+    );
     let place = reader.document.place(value);
+    // The part of an expression is where it is used.
+    if draft.is_written(draft.name(node)) {
+        let help = "clamp it, or change what it is made of";
+        reader.findings.push(Finding::new(Code::RANGE_PAST_INPUT, place, message, help));
+        return;
+    }
+    let name = shortened(draft.name(node));
+    let help = format!("clamp it, or change what `{name}` makes it of");
     let declared = reader.document.place_of_key(draft.nodes[node].member);
     let finding = Finding::new(Code::RANGE_PAST_INPUT, place, message, help);
     reader.findings.push(finding.with_related(declared, "computed here"));

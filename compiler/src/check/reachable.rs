@@ -48,6 +48,7 @@ pub(super) enum Content {
 pub(super) type Named = HashMap<String, Target>;
 
 /// What a file that is named turned out to be.
+#[derive(Clone)]
 pub(super) enum Target {
     /// The file that was reached after so many others.
     Reached(usize),

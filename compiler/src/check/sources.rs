@@ -30,6 +30,8 @@ pub(super) fn read<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<
         {
             SourceKind::Literal
         }
+        // It could not be written out as nodes, which was told then.
+        ValueKind::Object(_) if value.get("expression").is_some() => SourceKind::Broken,
         ValueKind::Object(_) => {
             no_connection(reader, value);
             SourceKind::Broken
@@ -50,7 +52,8 @@ fn no_connection(reader: &mut Reader<'_>, value: &Value) {
         reader.report(Code::TYPE_MISMATCH, value, message, "give one value or a connection");
         return;
     }
-    let keys = || CONNECTION_KEYS.into_iter().chain(["texture", "light", "struct"]);
+    let others = ["expression", "texture", "light", "struct"];
+    let keys = || CONNECTION_KEYS.into_iter().chain(others);
     let misspelt =
         value.members().iter().find(|member| keys().any(|key| is_near(&member.key, key)));
     let of_color = value

@@ -1,5 +1,7 @@
 //! Types of generic nodes, resolved from what is connected to them.
 
+use std::collections::HashMap;
+
 use crate::nodes::{Definition, NodeType};
 use crate::values::Type;
 
@@ -10,9 +12,26 @@ use super::literals::natural_type;
 /// without generic inputs.
 pub(super) struct Types {
     generic: Vec<Option<Type>>,
+    /// Types of expressions, by where they start, while they are written out.
+    pub expressions: HashMap<usize, Option<Type>>,
 }
 
 impl Types {
+    /// Nothing is known yet.
+    pub fn unknown(draft: &Draft<'_>) -> Self {
+        Self { generic: vec![None; draft.nodes.len()], expressions: HashMap::new() }
+    }
+
+    /// Resolves a node, all it reads being known.
+    pub fn settle(&mut self, draft: &Draft<'_>, node: usize) {
+        let drafted = &draft.nodes[node];
+        if let Some(node_type) = drafted.node_type
+            && draft.node_types.signature(node_type).is_generic()
+        {
+            self.generic[node] = resolve_node(draft, self, drafted, node_type);
+        }
+    }
+
     /// What the generic inputs of a node are.
     pub fn generic(&self, node: usize) -> Option<Type> {
         self.generic[node]
@@ -37,25 +56,16 @@ impl Types {
                     known => Some(known),
                 }
             }
-            SourceKind::Node(_, None)
-            | SourceKind::Literal
-            | SourceKind::Compound(_)
-            | SourceKind::Broken => None,
+            SourceKind::Broken => self.expressions.get(&source.value.start).copied().flatten(),
+            SourceKind::Node(_, None) | SourceKind::Literal | SourceKind::Compound(_) => None,
         }
     }
 }
 
 /// Resolves every generic node. `order` has sources before what reads them, except in cycles.
 pub(super) fn resolve(draft: &Draft<'_>, order: &[usize]) -> Types {
-    let mut types = Types { generic: vec![None; draft.nodes.len()] };
-    for &node in order {
-        let drafted = &draft.nodes[node];
-        if let Some(node_type) = drafted.node_type
-            && draft.node_types.signature(node_type).is_generic()
-        {
-            types.generic[node] = resolve_node(draft, &types, drafted, node_type);
-        }
-    }
+    let mut types = Types::unknown(draft);
+    order.iter().for_each(|&node| types.settle(draft, node));
     types
 }
 
@@ -120,7 +130,7 @@ fn wider(a: Type, b: Type) -> Type {
 
 /// The type of the first overload that takes `wanted`; else of the first there is, so that the
 /// mismatch is reported against something.
-fn overload_type(definition: &Definition, wanted: Type) -> Option<Type> {
+pub(super) fn overload_type(definition: &Definition, wanted: Type) -> Option<Type> {
     let overloads = &definition.overloads;
     let exact = overloads.iter().find(|overload| overload.generic == Some(wanted));
     let converting = overloads

@@ -182,6 +182,30 @@ codes! {
         "Counts and choices are known before a point is shaded, because the code is made for their value: a loop runs that often, a choice leaves the others out. So a literal gives them, or a parameter that never leaves the range of the input, and no node.",
         wrong r#"{ "phenomenon": "a", "nodes": { "s": { "type": "state" }, "n": { "type": "perlin_noise", "inputs": { "octaves": { "node": "s", "output": "ray_type" } } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "interface": { "octaves": { "type": "integer", "default": 4, "min": 1, "max": 8 } }, "nodes": { "n": { "type": "perlin_noise", "inputs": { "octaves": { "interface": "octaves" } } } }, "roots": { "material": { "node": "n" } } }"#;
+    EXPRESSION_SYNTAX "expression-syntax" Error "A text that is no expression",
+        "The text breaks the grammar of expressions, which docs/expressions.md has; the finding points at the part that does. Powers are written `**`, equality `==`, and an expression is one value of at most 16,384 characters, nested at most 64 deep.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "2 * (p + 1" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "2 * (p + 1)" } } }"#;
+    UNKNOWN_NAME "unknown-name" Error "A name in an expression that means nothing",
+        "A name in an expression is one that `where` binds, a node, or a parameter; behind a `.` it is an output of the node, a member of the struct, or a component such as `x` or `rgb`.",
+        wrong r#"{ "phenomenon": "a", "interface": { "tint": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "2 * tnit" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "tint": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "2 * tint" } } }"#;
+    AMBIGUOUS_NAME "ambiguous-name" Error "A name in an expression that is a node and a parameter",
+        "Nodes and parameters may share a name, for a connection says which is meant. An expression says nothing but the name, so one of the two has to be bound to another under `where`.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "nodes": { "p": { "type": "sine", "inputs": { "input": { "interface": "p" } } } }, "roots": { "material": { "expression": "2 * p" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "nodes": { "p": { "type": "sine", "inputs": { "input": { "interface": "p" } } } }, "roots": { "material": { "expression": "2 * height", "where": { "height": { "node": "p" } } } } }"#;
+    UNKNOWN_FUNCTION "unknown-function" Error "A function that does not exist",
+        "Functions are the node types that evaluate each input once, and the names of docs/expressions.md, such as `sin` and `smoothstep`.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "sinus(p)" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "sin(p)" } } }"#;
+    WRONG_ARGUMENTS "wrong-arguments" Error "A function with other arguments than it takes",
+        "Arguments with a name, `low: 0`, are given to the input of that name. Those without have an order, which functions of docs/expressions.md declare and nodes of one or two inputs have by themselves; other nodes have their inputs in the order of demand, so that names are needed.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "clamp(p)" } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "clamp(p, 0, 0.5)" } } }"#;
+    UNUSED_NAME "unused-name" Warning "A name under where that nothing uses",
+        "The expression does not use what is bound there, so it computes nothing.",
+        wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "2 * p", "where": { "q": 3 } } } }"#,
+        right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "q * p", "where": { "q": 3 } } } }"#;
     CYCLE "cycle" Error "Nodes that feed themselves",
         "The value of each node on the path depends on itself, so none can be computed. The finding shows the whole path; break it at one of its connections.",
         wrong r#"{ "phenomenon": "a", "nodes": { "x": { "type": "add", "inputs": { "a": { "node": "y" } } }, "y": { "type": "add", "inputs": { "a": { "node": "x" } } } }, "roots": { "material": { "node": "x" } } }"#,

@@ -60,6 +60,11 @@ impl Findings {
         self.omitted.iter().sum()
     }
 
+    /// Those kept, to be changed in what does not order them.
+    pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = &mut Finding> {
+        self.kept.iter_mut()
+    }
+
     /// Those kept, in the order made.
     pub fn iter(&self) -> impl Iterator<Item = &Finding> {
         self.kept.iter()

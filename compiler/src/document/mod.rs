@@ -4,6 +4,7 @@
 //! report them, and numbers as written. What keys the objects of a format have, tables say: a `Section` for each.
 
 mod canonical;
+pub(crate) mod expression;
 mod format;
 mod mistakes;
 pub mod numbers;
@@ -17,6 +18,7 @@ mod syntax;
 mod value;
 
 pub use canonical::canonical;
+pub use expression::{MAX_EXPRESSION, MAX_EXPRESSION_DEPTH};
 pub use format::FORMAT;
 pub(crate) use format::is_newer_format;
 pub use mistakes::{MAX_BRACKETS, MAX_MISTAKES};

@@ -56,7 +56,9 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Box<Finding>> {
     let parsed = parse_to_ast(text, &CollectOptions::default(), &STRICT);
     let refused = match (parsed, irregular) {
         (Ok(parsed), None) => match parsed.value {
-            Some(value) => return Ok(Document { file: file.clone(), root: convert(value) }),
+            Some(value) => {
+                return Ok(Document { file: file.clone(), root: convert(value) });
+            }
             None => return Err(syntax::empty(&file)),
         },
         (Err(error), Some((at, _))) if error.range().start < at => {

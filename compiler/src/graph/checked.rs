@@ -35,6 +35,18 @@ pub struct Graph {
     /// node and of one of its inputs, ascending. For those who look at the graph; engines find out by
     /// themselves.
     pub ruled_out: Vec<(usize, usize)>,
+    /// The expressions of the file and of the phenomena in it, for those who look at the graph. Where there are none
+    /// the nodes they became are drawn one by one.
+    pub expressions: Vec<Expression>,
+}
+
+/// An expression that was written out as nodes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expression {
+    /// What the node of its value is called; the others have `#` and a number behind it.
+    pub name: String,
+    /// Its text.
+    pub text: String,
 }
 
 /// An interface parameter.

@@ -10,7 +10,7 @@ mod root_kind;
 mod with_root;
 
 pub use bind::BindError;
-pub use checked::{Binding, Graph, Node, Output, Parameter, Preset, Root};
+pub use checked::{Binding, Expression, Graph, Node, Output, Parameter, Preset, Root};
 pub use presets::NoSuchPreset;
 pub use requirements::Requirements;
 pub use root_kind::RootKind;

@@ -45,6 +45,8 @@ fn sources(definitions: &mut Map<String, Value>) {
         object(&["node"], SECTIONS.properties(node)),
         object(&["interface"], SECTIONS.properties(parameter)),
     ] });
+    let own = json!({ "$ref": "#/definitions/expression" });
+    let connection = json!({ "anyOf": [connection["anyOf"][0], connection["anyOf"][1], own] });
     let text = json!({ "type": "string" });
     let number = json!({ "type": "number", "minimum": -f64::from(f32::MAX), "maximum": f64::from(f32::MAX) });
     let list = |least: usize, most: usize| json!({ "type": "array", "items": { "$ref": "#/definitions/number" }, "minItems": least, "maxItems": most });
@@ -81,6 +83,10 @@ fn sources(definitions: &mut Map<String, Value>) {
     definitions.insert("color_of_space".into(), json!({ "anyOf": colors() }));
     definitions.insert("number".into(), number);
     definitions.insert("connection".into(), connection);
+    definitions.insert("expression".into(), SECTIONS.schema(&keys::EXPRESSION));
+    let bound = ["generic", "boolean", "string", "texture"].map(reference);
+    let names = json!({ "type": "object", "propertyNames": reference("name"), "additionalProperties": { "anyOf": bound } });
+    definitions.insert("where".into(), names);
 }
 
 fn source_name(value_type: Type) -> &'static str {

@@ -7,6 +7,7 @@ use crate::values::Type;
 use super::dead::mark_dead;
 use super::diagram::{Card, Dead, Diagram, Given, InputSocket, OutputSocket, Role, Wire};
 use super::error::ShowError;
+use super::expressions::close;
 use super::implied::{badge, implied};
 use super::values::{self, Value};
 
@@ -110,7 +111,7 @@ impl<'a> Builder<'a> {
             Diagram { name: &self.graph.name, cards, wires: Vec::new(), parameters, nodes };
         self.connect(&mut diagram);
         mark_dead(&mut diagram);
-        diagram
+        close(diagram, self.graph)
     }
 
     fn parameter_card(&self, at: usize) -> Card<'a> {

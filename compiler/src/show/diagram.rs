@@ -32,6 +32,7 @@ pub(super) enum Role {
 }
 
 /// A box.
+#[derive(Clone)]
 pub(super) struct Card<'a> {
     /// What it stands for.
     pub role: Role,
@@ -63,6 +64,7 @@ pub(super) enum Dead {
 }
 
 /// An input.
+#[derive(Clone)]
 pub(super) struct InputSocket {
     /// Its name.
     pub name: Name,
@@ -79,6 +81,7 @@ pub(super) struct InputSocket {
 }
 
 /// Where an input's value comes from, as far as it is told in its row.
+#[derive(Clone)]
 pub(super) enum Given {
     /// A wire, which tells it.
     Wire,
@@ -93,6 +96,7 @@ pub(super) enum Given {
 }
 
 /// An output in use.
+#[derive(Clone)]
 pub(super) struct OutputSocket<'a> {
     /// Its name; empty for a parameter.
     pub name: &'a str,

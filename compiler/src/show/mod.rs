@@ -33,6 +33,7 @@ mod diagram;
 mod dot;
 mod error;
 mod escape;
+mod expressions;
 mod frames;
 mod implied;
 mod layers;

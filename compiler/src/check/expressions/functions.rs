@@ -1,0 +1,93 @@
+//! The functions people know from GLSL, OSL and SeExpr, as data: which node each means, and in which order it takes its
+//! arguments. Nodes have their inputs in the order of demand, which is another.
+
+/// A function.
+#[derive(Debug)]
+pub struct Function {
+    /// What it is called by.
+    pub name: &'static str,
+    /// The node it means.
+    pub node: &'static str,
+    /// The inputs of the node that arguments without a name are given to.
+    pub order: &'static [&'static str],
+    /// Whether it takes two arguments or more, and is called with each in turn.
+    pub folds: bool,
+}
+
+const fn function(
+    name: &'static str,
+    node: &'static str,
+    order: &'static [&'static str],
+) -> Function {
+    Function { name, node, order, folds: false }
+}
+
+const ONE: &[&str] = &["input"];
+const TWO: &[&str] = &["a", "b"];
+
+/// All of them, by name.
+pub static FUNCTIONS: &[Function] = &[
+    function("abs", "absolute", ONE),
+    function("atan2", "arc_tangent2", &["y", "x"]),
+    function("clamp", "clamp", &["input", "low", "high"]),
+    function("color", "combine_color", &["r", "g", "b", "a"]),
+    function("cos", "cosine", ONE),
+    function("cross", "cross", TWO),
+    function("dot", "dot", TWO),
+    function("exp", "exponential", ONE),
+    function("floor", "floor", ONE),
+    function("fract", "fraction", ONE),
+    function("hsv_to_rgb", "hsv_to_rgb", &["hue", "saturation", "value"]),
+    function("length", "length", ONE),
+    function("lerp", "mix", &["a", "b", "weight"]),
+    function("log", "logarithm", ONE),
+    function("luminance", "luminance", &["color"]),
+    Function { name: "max", node: "maximum", order: TWO, folds: true },
+    Function { name: "min", node: "minimum", order: TWO, folds: true },
+    function("mix", "mix", &["a", "b", "weight"]),
+    function("mod", "modulo", TWO),
+    function("normalize", "normalize", ONE),
+    function("pow", "power", &["base", "exponent"]),
+    function("saturate", "clamp", ONE),
+    function("sin", "sine", ONE),
+    function("smoothstep", "smooth_step", &["low", "high", "input"]),
+    function("sqrt", "square_root", ONE),
+    function("vector", "combine_vector", &["x", "y", "z"]),
+];
+
+/// The function of that name.
+pub(super) fn find(name: &str) -> Option<&'static Function> {
+    FUNCTIONS.iter().find(|function| function.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::nodes::NodeLibrary;
+
+    #[test]
+    fn functions_are_nodes_with_those_inputs() {
+        let library = NodeLibrary::standard();
+        assert!(FUNCTIONS.is_sorted_by_key(|function| function.name));
+        for function in FUNCTIONS {
+            let Some(node) = library.find(function.node) else {
+                panic!("`{}` means no node of the library", function.name)
+            };
+            let signature = library.signature(node);
+            for input in function.order {
+                assert!(signature.input(input).is_some(), "`{}` of `{}`", input, function.name);
+            }
+            let required = signature
+                .inputs
+                .iter()
+                .filter(|input| matches!(input.default, crate::nodes::DefaultValue::Required));
+            for input in required {
+                assert!(function.order.contains(&&*input.name), "{}", function.name);
+            }
+            // Where both exist, the name means the node of that name.
+            if library.find(function.name).is_some() {
+                assert_eq!(function.name, function.node);
+            }
+        }
+    }
+}

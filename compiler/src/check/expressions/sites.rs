@@ -1,0 +1,79 @@
+//! Where expressions stand.
+
+use crate::check::draft::Draft;
+use crate::document::{Value, ValueKind};
+
+/// The sections in which connections stand, besides `nodes`.
+const SECTIONS: [&str; 2] = ["roots", "outputs"];
+
+/// A place with an expression.
+pub(super) struct Site<'d> {
+    /// The object.
+    pub value: &'d Value,
+    /// What the node is called that it becomes: no author's name has an `@`.
+    pub name: String,
+    /// The node whose input it is, or a part of one; none of a root.
+    pub node: Option<usize>,
+}
+
+/// Whether there is an expression where connections stand.
+pub(super) fn any(root: &Value) -> bool {
+    let nodes = root.get("nodes").map_or(&[][..], Value::members);
+    let inputs = nodes.iter().filter_map(|node| node.value.get("inputs"));
+    inputs.chain(SECTIONS.iter().filter_map(|section| root.get(section))).any(holds)
+}
+
+/// Whether a value is an expression, or holds one. Files are nested 64 deep at most.
+fn holds(value: &Value) -> bool {
+    match &value.kind {
+        ValueKind::Array(elements) => elements.iter().any(holds),
+        ValueKind::Object(members) => {
+            members.iter().any(|member| member.key == "expression" || holds(&member.value))
+        }
+        _ => false,
+    }
+}
+
+/// All of them, in file order. Those within others, under `where`, are part of these.
+pub(super) fn find<'d>(root: &'d Value, draft: &Draft<'d>) -> Vec<Site<'d>> {
+    let mut found = Vec::new();
+    for (at, node) in draft.nodes.iter().enumerate() {
+        let inputs = node.member.value.get("inputs").map_or(&[][..], Value::members);
+        for input in inputs.iter().filter(|input| holds(&input.value)) {
+            let name = format!("{}@{}", node.member.key, input.key);
+            walk(&input.value, name, Some(at), &mut found);
+        }
+    }
+    for section in SECTIONS {
+        for member in root.get(section).map_or(&[][..], Value::members) {
+            walk(&member.value, format!("@{section}.{}", member.key), None, &mut found);
+        }
+    }
+    found
+}
+
+fn walk<'d>(value: &'d Value, name: String, node: Option<usize>, found: &mut Vec<Site<'d>>) {
+    if !holds(value) {
+        return;
+    }
+    match &value.kind {
+        ValueKind::Object(_) if value.get("expression").is_some() => {
+            found.push(Site { value, name, node });
+        }
+        ValueKind::Object(members) => {
+            for member in members {
+                let name = match member.key.as_str() {
+                    "struct" => name.clone(),
+                    key => format!("{name}.{key}"),
+                };
+                walk(&member.value, name, node, found);
+            }
+        }
+        ValueKind::Array(elements) => {
+            for (at, element) in elements.iter().enumerate() {
+                walk(element, format!("{name}[{at}]"), node, found);
+            }
+        }
+        _ => {}
+    }
+}
