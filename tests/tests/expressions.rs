@@ -487,3 +487,25 @@ fn a_drawing_has_one_box_for_an_expression_or_its_nodes() {
     assert!(open.contains("stone@color#1") && boxes(&open) == 0);
     assert!(open.len() > closed.len());
 }
+
+#[test]
+fn phenomena_within_a_file_and_outputs_have_expressions_too() {
+    let text = r##"{
+        "phenomenon": "outer",
+        "phenomena": { "line": {
+            "interface": { "x": { "type": "scalar", "default": 1 }, "tint": { "type": "color", "default": { "srgb": "#fff" } } },
+            "nodes": { "twice": { "type": "multiply", "inputs": { "a": { "expression": "x + 1" }, "b": 2 } } },
+            "outputs": {
+                "y": { "type": "scalar", "from": { "expression": "twice - tint.g * half", "where": { "half": 0.5 } } },
+                "c": { "type": "color", "from": { "expression": "tint * up", "where": { "up": { "interface": "tint.r" } } } }
+            } } },
+        "nodes": { "one": { "type": { "phenomenon": "line" }, "inputs": { "x": { "expression": "0.25 + 0.5" } } } },
+        "roots": { "material": { "expression": "one.y + one.c.r" } } }"##;
+    let graph = Arc::new(graph(text));
+    assert_eq!(graph.expressions.len(), 5);
+    assert!(graph.nodes.iter().any(|node| node.name == "one/twice@a"), "{:?}", graph.nodes);
+    for options in every_engine() {
+        let color = shaded(&graph, options, &mut MockRenderer::default());
+        assert_eq!(color.map(f32::to_bits), [4.0, 4.0, 4.0, 1.0].map(f32::to_bits), "{options:?}");
+    }
+}

@@ -18,8 +18,9 @@ use super::nested::Nested;
 use super::reachable::Named;
 use super::used_phenomena::Known;
 use super::{
-    bind, cycles, dead_inputs, expand, expressions, hazards, interface, keys, loops, names, nodes, outputs,
-    presets, ranges, reach, requirements, roots, stations, textures, types, used_phenomena,
+    bind, cycles, dead_inputs, expand, expressions, hazards, interface, keys, loops, names, nodes,
+    outputs, presets, ranges, reach, requirements, roots, stations, textures, types,
+    used_phenomena,
 };
 
 /// What the check of a file rests on, besides the file.

@@ -26,29 +26,44 @@ pub(super) use convert::remedy;
 pub use functions::{FUNCTIONS, Function};
 pub(super) use written::Rewritten;
 
+use std::cell::OnceCell;
+
 use crate::document::{Reader, Value};
+use crate::nodes::NodeLibrary;
 
 use super::draft::Draft;
-use super::phenomenon::Given;
-use super::reachable::Named;
 use super::types::Types;
+use super::used_phenomena::Known;
 use super::{interface, nodes, used_phenomena};
+
+/// Room for what becomes of the expressions of a file and of each phenomenon in it.
+pub(super) fn room(root: &Value) -> Vec<OnceCell<Rewritten>> {
+    let mut count = 0;
+    let mut pending = vec![root];
+    while let Some(value) = pending.pop() {
+        count += 1;
+        let inner = value.get("phenomena").map_or(&[][..], Value::members);
+        pending.extend(inner.iter().map(|member| &member.value));
+    }
+    std::iter::repeat_with(OnceCell::new).take(count).collect()
+}
 
 /// A phenomenon with nodes in the place of its expressions; none where it has no expressions.
 pub(super) fn write_out<'d>(
     reader: &mut Reader<'d>,
     root: &'d Value,
-    given: Given<'d>,
-    named: &Named,
+    library: &'d NodeLibrary,
+    known: Known<'_, 'd>,
 ) -> Option<Rewritten> {
     if !sites::any(root) {
         return None;
     }
     // What is wrong with it is told when it is checked.
     let mut unheard = Reader::of_part(reader.document);
-    let mut draft = Draft::new(given.library, false);
+    let mut draft = Draft::new(library, false);
     let nodes = root.get("nodes");
-    used_phenomena::declare(&mut unheard, nodes, &mut draft, named.clone(), given.checked);
+    let known = Known { named: &mut known.named.clone(), ..known };
+    used_phenomena::declare(&mut unheard, nodes, &mut draft, known);
     interface::read(&mut unheard, root.get("interface"), &mut draft);
     nodes::read(&mut unheard, nodes, &mut draft)?;
     let sites = sites::find(root, &draft);
