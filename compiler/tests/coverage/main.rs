@@ -24,7 +24,7 @@ const PATTERNS: [&str; 6] = [
     "artistic_ior",
 ];
 /// At most one in so many of MaterialX's patterns may be missing without a reason.
-const ONE_IN: usize = 4;
+const ONE_IN: usize = 10;
 
 fn is_pattern(entry: &Entry) -> bool {
     !NO_PATTERNS.contains(&entry.group) || PATTERNS.contains(&entry.name)
