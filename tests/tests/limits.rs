@@ -13,8 +13,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use phenomenon_compiler::check::{
-    Checked, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_OUTPUTS, MAX_PARTS, MAX_SHADERS, check_graph,
-    read_graph_file,
+    Checked, MAX_FILE_DEPTH, MAX_INNER, MAX_NAME, MAX_NODES, MAX_OUTPUTS, MAX_PARTS, MAX_SHADERS,
+    check_graph, read_graph_file,
 };
 use phenomenon_compiler::diagnostics::grouped;
 use phenomenon_compiler::document::{
@@ -49,7 +49,7 @@ const fn limit(
     Limit { what, most, said, past }
 }
 
-const GRAPHS: [Limit; 14] = [
+const GRAPHS: [Limit; 15] = [
     limit("bytes of a graph or a scene", MAX_FILE_BYTES as u64, "`file-too-large`", huge_file),
     limit("values in a file", MAX_VALUES as u64, "`file-too-large`", many_values),
     limit("nesting of lists and objects", MAX_DEPTH as u64, "`too-deep`", deep_nesting),
@@ -85,6 +85,7 @@ const GRAPHS: [Limit; 14] = [
         many_shaders,
     ),
     limit("outputs of a phenomenon", MAX_OUTPUTS as u64, "`too-many-parts`", many_outputs),
+    limit("phenomena within a file", MAX_INNER as u64, "`too-many-parts`", many_phenomena),
     limit("phenomena within one another", MAX_FILE_DEPTH as u64, "`recursion`", deep_files),
     limit(
         "evaluations of one root, copies in nested scopes included",
@@ -286,6 +287,28 @@ fn long_array(_: &Path) -> String {
     };
     graph(&with(100));
     code(&check(&with(MAX_PARTS + 1)))
+}
+
+fn many_phenomena(_: &Path) -> String {
+    let with = |count: usize| {
+        let offers = r#"{ "outputs": { "x": { "type": "scalar", "from": 1 } } }"#;
+        let phenomena: Vec<String> = (0..count).map(|at| format!(r#""p{at}": {offers}"#)).collect();
+        let nodes: Vec<String> = (0..count)
+            .map(|at| format!(r#""n{at}": {{ "type": {{ "phenomenon": "p{at}" }} }}"#))
+            .collect();
+        let values: Vec<String> =
+            (0..count).map(|at| format!(r#"{{ "node": "n{at}" }}"#)).collect();
+        format!(
+            r#"{{ "phenomenon": "p", "phenomena": {{ {} }},
+                 "nodes": {{ {}, "all": {{ "type": "sum", "inputs": {{ "values": [{}] }} }} }},
+                 "roots": {{ "material": {{ "node": "all" }} }} }}"#,
+            phenomena.join(", "),
+            nodes.join(", "),
+            values.join(", ")
+        )
+    };
+    graph(&with(MAX_INNER));
+    code(&check(&with(MAX_INNER + 1)))
 }
 
 fn many_outputs(_: &Path) -> String {

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use crate::diagnostics::{Advice, Code, Finding, listed, shortened};
 use crate::document::{Member, Reader, Value, ValueKind};
 
-use super::limits::MAX_NODES;
+use super::limits::{MAX_INNER, MAX_NODES};
 use super::names::check_key;
 use super::nested::Nested;
 
@@ -17,6 +17,8 @@ pub(super) struct Inner<'d> {
     scopes: Vec<Scope<'d>>,
     /// How many nodes they may have in all, once each is checked.
     nodes_left: usize,
+    /// Whether none was left out, past the limit.
+    is_whole: bool,
 }
 
 /// The file, or a phenomenon in it.
@@ -56,12 +58,15 @@ impl<'d> Inner<'d> {
     /// Those of a file, not checked yet.
     pub fn of(reader: &mut Reader<'d>, root: &'d Value) -> Self {
         let file = Scope::new(None, root, 0);
-        let mut inner = Self { scopes: vec![file], nodes_left: MAX_NODES };
+        let mut inner = Self { scopes: vec![file], nodes_left: MAX_NODES, is_whole: true };
         let mut at = 0;
         while at < inner.scopes.len() {
             let value = inner.scopes[at].value.get("phenomena");
             let members = value.and_then(|value| reader.members(value, "`phenomena`"));
             for member in members.into_iter().flatten() {
+                if inner.scopes.len() > MAX_INNER {
+                    return inner.too_many(reader, member);
+                }
                 check_key(reader, member, "the name of a phenomenon");
                 let position = inner.scopes.len();
                 inner.scopes[at].own.insert(&member.key, position);
@@ -69,12 +74,26 @@ impl<'d> Inner<'d> {
             }
             at += 1;
         }
-        for at in 0..inner.scopes.len() {
-            let (uses, named) = inner.uses(at);
-            let scope = &mut inner.scopes[at];
+        inner.find_uses();
+        inner
+    }
+
+    /// Reports the first past the limit; those before it are known.
+    fn too_many(mut self, reader: &mut Reader<'_>, member: &Member) -> Self {
+        let message = format!("a file has at most {MAX_INNER} phenomena within it");
+        let help = "give some of them files of their own";
+        reader.report_key(Code::TOO_MANY_PARTS, member, message, help);
+        self.is_whole = false;
+        self.find_uses();
+        self
+    }
+
+    fn find_uses(&mut self) {
+        for at in 0..self.scopes.len() {
+            let (uses, named) = self.uses(at);
+            let scope = &mut self.scopes[at];
             (scope.uses, scope.named) = (uses, named);
         }
-        inner
     }
 
     /// Those a phenomenon uses, and those it only names.
@@ -111,7 +130,12 @@ impl<'d> Inner<'d> {
 
     /// What is called so in a phenomenon, by its position; none where nothing is.
     pub fn find(&self, at: usize, name: &str) -> Option<Found> {
-        self.position(at, name).map(|found| self.scopes[found].found.clone())
+        match self.position(at, name) {
+            Some(found) => Some(self.scopes[found].found.clone()),
+            // It may be one of those past the limit.
+            None if !self.is_whole => Some(Found::Broken),
+            None => None,
+        }
     }
 
     /// What to say of a name that nothing is called by in a phenomenon.
@@ -248,6 +272,9 @@ impl<'d> Inner<'d> {
     /// Reports those that the file does not use, directly or through others. Only the outermost of
     /// what is unused is told.
     pub fn report_unused(&self, reader: &mut Reader<'_>) {
+        if !self.is_whole {
+            return;
+        }
         let mut used = vec![false; self.scopes.len()];
         let mut pending = vec![0];
         while let Some(at) = pending.pop() {

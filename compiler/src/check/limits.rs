@@ -12,6 +12,9 @@ pub const MAX_PARTS: usize = 65_536;
 /// Most outputs a phenomenon may declare.
 pub const MAX_OUTPUTS: usize = 64;
 
+/// Most phenomena within a file, those within others included.
+pub const MAX_INNER: usize = 1024;
+
 /// Most shaders in the list of a root.
 pub const MAX_SHADERS: usize = 64;
 

@@ -64,8 +64,8 @@ pub use expressions::{FUNCTIONS, Function};
 pub use files::{Files, OnDisk};
 pub use graph::{Checked, as_node, check_graph, check_graph_with, read_graph_file};
 pub use limits::{
-    MAX_ADVISED, MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_NAME, MAX_NODES, MAX_OUTPUTS, MAX_PARTS,
-    MAX_SHADERS,
+    MAX_ADVISED, MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_INNER, MAX_NAME, MAX_NODES, MAX_OUTPUTS,
+    MAX_PARTS, MAX_SHADERS,
 };
 pub use names::name_mistake;
 pub use settings::{Setting, SettingError, bind_setting, bind_settings, bind_text};
