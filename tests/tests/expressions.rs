@@ -440,8 +440,12 @@ fn functions() -> String {
     for function in FUNCTIONS {
         let node = library.signature(library.find(function.node).expect("it is in the library"));
         let doc = node.doc.replace('|', "\\|").replace('\n', " ");
-        let ends = [". ", ": ", "; "].into_iter().filter_map(|end| doc.find(end));
-        let doc = doc[..ends.min().unwrap_or(doc.len())].trim_end_matches('.');
+        // The first sentence, or what stands before the formula.
+        let ends = doc.match_indices(['.', ':', ';']).find(|(at, sign)| {
+            let next = doc[at + 1..].strip_prefix(' ');
+            next.is_some_and(|next| *sign != "." || next.starts_with(char::is_uppercase))
+        });
+        let doc = doc[..ends.map_or(doc.len(), |(at, _)| at)].trim_end_matches('.');
         let order = function.order.join(", ");
         let more = if function.folds { ", …" } else { "" };
         let (name, node) = (function.name, function.node);
