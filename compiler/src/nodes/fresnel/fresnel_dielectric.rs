@@ -7,8 +7,9 @@ node! {
     ///
     /// With `c` the cosine, `D = (n2^2 - n1^2) / n1^2` and `g^2 = D + c^2`:
     /// `rs = D / (g + c)^2` and `rp / rs = (c g - s^2) / (c g + s^2)`, `s^2 = 1 - c^2`. No angle is
-    /// computed, and nothing cancels where the indices nearly match. An index of 0 or less counts
-    /// as 1, others are held within 1/64 and 100.
+    /// computed, and nothing cancels where the indices nearly match; up to the critical angle `g^2` is a
+    /// difference of exact products, so that what passes has a bounded relative error. An index of 0 or
+    /// less counts as 1, others are held within 1/64 and 100.
     fresnel_dielectric in fresnel,
     source "Born and Wolf, Principles of Optics, 1.5",
     inputs {
@@ -55,13 +56,8 @@ pub fn boundary<E: Emit>(e: E, n1: E::Real, n2: E::Real, cosine: E::Real) -> Bou
     let one = e.real(1.0);
     let cosine = cosine.saturate();
     let sine_squared = (one - cosine) * (one + cosine);
-    let ratio = n2 / n1;
     let excess = (n2 - n1) * (n2 + n1) / (n1 * n1);
-    // Two forms of one number: the first is exact where the indices are close, the second where
-    // excess is near -1 and would cancel against the squared cosine.
-    let near = cosine.mul_add(cosine, excess);
-    let far = ratio.mul_add(ratio, -sine_squared);
-    let squared = excess.less(e.real(-0.5)).select(far, near);
+    let squared = transmitted_squared(n1, n2, cosine);
     let matched = n1.equal(n2);
     Boundary {
         cosine,
@@ -71,6 +67,32 @@ pub fn boundary<E: Emit>(e: E, n1: E::Real, n2: E::Real, cosine: E::Real) -> Bou
         matched,
         total: squared.less_equal(e.real(0.0)) & !matched,
     }
+}
+
+/// `(n2^2 - n1^2 + n1^2 c^2) / n1^2`, in which all digits cancel near the critical angle.
+///
+/// Each product is taken with its rounding error (Dekker 1971, with a fused product), the first sum too (Knuth's
+/// two-sum), and near the critical angle the second is exact (Sterbenz): what passes has a bounded relative
+/// error up to the last cosine, and whether anything passes is known to 2^-48 of the squared index.
+#[inline(always)]
+fn transmitted_squared<R: Real>(n1: R, n2: R, cosine: R) -> R {
+    let (beyond, beyond_low) = product(n2, n2);
+    let (before, before_low) = product(n1, n1);
+    let (normal, normal_low) = product(n1, cosine);
+    let (along, along_low) = product(normal, normal);
+    let sum = beyond + along;
+    let part = sum - beyond;
+    let lost = (beyond - (sum - part)) + (along - part);
+    let low = (beyond_low + along_low) + (lost - before_low);
+    let low = (normal * 2.0).mul_add(normal_low, low);
+    ((sum - before) + low) / before
+}
+
+/// A product and the error of its rounding, exactly.
+#[inline(always)]
+fn product<R: Real>(a: R, b: R) -> (R, R) {
+    let product = a * b;
+    (product, a.mul_add(b, -product))
 }
 
 /// Share of light reflected, for indices as [`index`] yields them.
@@ -127,6 +149,33 @@ mod tests {
         assert_eq!(reflectance(-2.0, f32::NAN, 1.0), 0.0);
     }
 
+    /// What passes close to the critical angle grows as the root of the distance from it: in 64 bits, from the
+    /// same 32-bit inputs. A form without exact products lost 7 % of it for glass, half for nearly equal indices.
+    #[test]
+    fn what_passes_next_to_the_critical_angle_is_accurate() {
+        let mut worst = 0.0_f64;
+        for (n1, n2) in [(1.5_f32, 1.0_f32), (1.33, 1.0), (2.42, 1.5), (100.0, 1.0), (1.000_1, 1.0)] {
+            let (a, b) = (f64::from(n1), f64::from(n2));
+            let critical = ((a - b) * (a + b)).sqrt() / a;
+            let mut cosine = critical as f32;
+            for _ in 0..40 {
+                cosine = cosine.next_up();
+                let c = f64::from(cosine);
+                let squared = (b * b - a * a) + a * c * (a * c);
+                assert!(squared > 0.0, "{n1} {n2} {cosine}");
+                let g = squared.sqrt() / a;
+                let (rs, ratio) = ((c - g) / (c + g), b / a);
+                let rp = (ratio * ratio * c - g) / (ratio * ratio * c + g);
+                let passes = 1.0 - (rs * rs + rp * rp) / 2.0;
+                let found = 1.0 - f64::from(reflectance(n1, n2, cosine));
+                // What 1 less a number close to 1 can tell.
+                let error = (found - passes).abs() - f64::from(f32::EPSILON);
+                worst = worst.max(error / passes);
+            }
+        }
+        assert!(worst < 2e-4, "{worst}");
+    }
+
     /// The textbook form in 64 bits, from the same inputs.
     fn textbook(n1: f64, n2: f64, cosine: f64) -> f64 {
         let sine = n1 / n2 * ((1.0 - cosine) * (1.0 + cosine)).sqrt();
@@ -168,13 +217,9 @@ mod tests {
     #[test]
     fn the_critical_angle_is_met_from_both_sides() {
         let critical = 0.745_356_f32;
-        let (mut below, mut above) = (critical, critical);
-        for _ in 0..8 {
-            below = below.next_down();
-            above = above.next_up();
-        }
-        assert_eq!(reflectance(1.5, 1.0, below), 1.0);
-        let just_inside = reflectance(1.5, 1.0, above);
-        assert!(just_inside > 0.98 && just_inside < 1.0, "{just_inside}");
+        // The square of this cosine is 5 / 9 to 2 parts in 10^8: its two neighbours lie on either side.
+        assert_eq!(reflectance(1.5, 1.0, critical.next_down().next_down()), 1.0);
+        let just_inside = reflectance(1.5, 1.0, critical.next_up().next_up());
+        assert!(just_inside > 0.99 && just_inside < 1.0, "{just_inside}");
     }
 }
