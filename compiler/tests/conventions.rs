@@ -216,6 +216,9 @@ fn what_is_not_finite_is_made_finite() {
     is(clamp_finite(F32(NAN)), 0.0);
     is(clamp_finite(F32(INF)), f32::MAX);
     is(clamp_finite(F32(-INF)), f32::MIN);
+    [NAN, -INF, -1.0, -0.0].into_iter().for_each(|x| is(not_negative(F32(x)), 0.0));
+    is(not_negative(F32(INF)), f32::MAX);
+    is(not_negative(F32(1e-45)), 1e-45);
     finite().into_iter().for_each(|x| is(clamp_finite(F32(x)), x));
 }
 

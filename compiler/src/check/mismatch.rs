@@ -253,7 +253,8 @@ fn converter(signature: &Signature, from: Type, to: Type) -> Option<(usize, Stri
         Some(_) if all => Some((3 + farther, name)),
         // A choice between two values of the wanted type.
         None if from == Type::Boolean
-            && signature.outputs.iter().any(|output| output.value_type == Type::Generic) =>
+            && signature.outputs.iter().any(|output| output.value_type == Type::Generic)
+            && signature.inputs.iter().filter(|it| it.value_type == Type::Generic).count() > 1 =>
         {
             Some((1 + farther, name))
         }

@@ -111,7 +111,10 @@ nodes! {
     /// Over lists of any length.
     lists { element, sum }
     /// Light at the boundary of two media.
-    fresnel { fresnel_dielectric, fresnel_reflection, ior_pair }
+    fresnel {
+        beer_absorption, fresnel_conductor, fresnel_dielectric, fresnel_reflection, fresnel_schlick,
+        ior_pair, radiance_scaling, thin_film,
+    }
     /// Rays: directions, and requests to the renderer.
     rays {
         call_shader, fallback, image_size, light_color, ray_is, ray_switch, reflection_direction, refraction_direction,
@@ -124,7 +127,18 @@ nodes! {
         triplanar_blend, triplanar_places,
     }
     /// What surfaces do with the light of one sample.
-    shading { lambert }
+    shading {
+        ashikhmin_shirley, blinn, cook_torrance, ggx, lambert, oren_nayar, phong, schlick_anisotropic,
+        sheen, torrance_sparrow, ward,
+    }
+    /// Reflectances of surfaces for two directions, and directions drawn to suit them.
+    brdf {
+        ashikhmin_shirley_brdf, ashikhmin_shirley_density, ashikhmin_shirley_sample, cook_torrance_brdf,
+        ggx_brdf, ggx_density, ggx_sample, lambert_brdf, lambert_density, lambert_sample,
+        microfacet_density, microfacet_distribution, microfacet_sample, oren_nayar_brdf, phong_brdf,
+        phong_density, phong_sample, schlick_anisotropic_brdf, schlick_phase, sheen_brdf,
+        torrance_sparrow_brdf, ward_brdf, ward_density, ward_sample,
+    }
     /// Nodes that evaluate an input under a changed state, or many times.
     scopes { at_point, at_uv, chain, light_loop, perturb_normal }
     /// Tangent, bitangent and normal: directions in a surface.

@@ -12,6 +12,12 @@ pub fn clamp_finite<R: Real>(x: R) -> R {
     x.same(largest).minimum(x.same(-largest).maximum(number))
 }
 
+/// Below zero and NaN become 0, an infinity the largest number: what light, shares of it and densities are.
+#[inline(always)]
+pub fn not_negative<R: Real>(x: R) -> R {
+    x.clamp_to(x.same(0.0), x.same(f64::from(f32::MAX)))
+}
+
 /// Square root, and 0 below zero and for NaN.
 #[inline(always)]
 pub fn sqrt_or_zero<R: Real>(x: R) -> R {

@@ -1,0 +1,104 @@
+use crate::emit::{Mask, Real};
+use crate::nodes::finite::UNIT;
+
+node! {
+    /// Share of unpolarised light that a metal reflects in air, per component: the mean of Fresnel's
+    /// reflectances for the complex index `ior + i extinction`.
+    ///
+    /// With `a + i b` the root of `(ior + i extinction)^2 - sin^2`:
+    /// `rs = ((a - c)^2 + b^2) / ((a + c)^2 + b^2)` and
+    /// `rp = rs ((a c - s)^2 + b^2 c^2) / ((a c + s)^2 + b^2 c^2)`, `s` being the squared sine: sums of
+    /// squares, of which nothing cancels. Of `a` and `b` the larger comes from a sum, the other from the
+    /// product of both. Without extinction it is `fresnel_dielectric` from air. For a metal under a
+    /// clear medium divide both by the medium's index.
+    fresnel_conductor in fresnel per component,
+    source "Born and Wolf, Principles of Optics, 14.2",
+    inputs {
+        /// Index of refraction.
+        ior: generic = 0.2, in 0.0..=1e6;
+        /// Extinction coefficient.
+        extinction: generic = 3.9, in 0.0..=1e6;
+        /// Cosine between the light's direction and the normal, clamped to 0..1.
+        cosine: scalar = 1.0, in -1.0..=1.0;
+    }
+    outputs {
+        /// Share reflected.
+        reflectance: generic, in UNIT;
+    }
+    body |e, i| reflectance(i.ior, i.extinction, i.cosine.saturate())
+}
+
+/// Of a cosine from 0 to 1.
+#[inline(always)]
+pub fn reflectance<R: Real>(n: R, k: R, cosine: R) -> R {
+    let (zero, one) = (n.same(0.0), n.same(1.0));
+    let sine_squared = (one - cosine) * (one + cosine);
+    // (n + i k)^2 - sin^2 = real + 2 i n k.
+    let real = (n - k) * (n + k) - sine_squared;
+    let product = n * k;
+    let size = real.mul_add(real, product * product * 4.0).sqrt();
+    let large = (size + real.absolute()) * 0.5;
+    let small = (product * product).divide_or_zero(large);
+    let negative = real.less(zero);
+    let (a_squared, b_squared) = (negative.select(small, large), negative.select(large, small));
+    let a = a_squared.sqrt();
+    let (less, more) = (a - cosine, a + cosine);
+    let rs = less.mul_add(less, b_squared) / more.mul_add(more, b_squared);
+    let along = a * cosine;
+    let (less, more) = (along - sine_squared, along + sine_squared);
+    let rest = b_squared * cosine * cosine;
+    let below = more.mul_add(more, rest);
+    let ratio = below.equal(zero).select(one, less.mul_add(less, rest) / below);
+    (rs * (one + ratio) * 0.5).saturate()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::nodes::harness::assert_close;
+
+    fn at(ior: f32, extinction: f32, cosine: f32) -> f32 {
+        number!(ior = ior, extinction = extinction, cosine = cosine => reflectance)
+    }
+
+    #[test]
+    fn known_values() {
+        for (n, k, cosine, expected) in [
+            (0.2, 3.9, 1.0, 0.9519519519519519),
+            (0.2, 3.9, 0.8, 0.9511086572819465),
+            (0.2, 3.9, 0.707_106_8, 0.9500432),
+            (0.2, 3.9, 0.5, 0.945882),
+            (0.2, 3.9, 0.1, 0.9628965),
+            (0.14, 4.0, 0.5, 0.963255253235214),
+            (1.0, 1e5, 0.7, 0.9999999995742858),
+            (1e-8, 4.0, 0.7, 0.9999999975368007),
+            (1.5, 1e-9, 0.7, 0.050916935590777444),
+        ] {
+            assert_close(&[at(n, k, cosine)], &[expected], 1e-6, 0.0);
+        }
+    }
+
+    #[test]
+    fn without_extinction_it_is_a_dielectric() {
+        use crate::values::Literal;
+        let dielectric = crate::nodes::fresnel::fresnel_dielectric::definition();
+        for ior in [1.001_f32, 1.33, 1.5, 2.42] {
+            for cosine in [1e-3_f32, 0.1, 0.5, 0.9, 1.0] {
+                let given =
+                    [("ior_out", Literal::Scalar(ior)), ("cosine", Literal::Scalar(cosine))];
+                let expected =
+                    crate::nodes::harness::numbers(&dielectric, &given, "reflectance")[0];
+                let near = if ior < 1.01 { 1e-3 } else { 4e-6 };
+                assert_close(&[at(ior, 0.0, cosine)], &[expected.into()], near, 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn the_ends_are_defined() {
+        assert_eq!(at(0.2, 3.9, 0.0), 1.0);
+        assert_eq!(at(0.0, 0.0, 1.0), 1.0);
+        assert_eq!(at(0.0, 0.0, 0.0), 1.0);
+        assert_eq!(at(1.0, 0.0, 0.5), 0.0);
+        assert!(at(1e6, 1e6, 0.5) > 0.999_99);
+    }
+}

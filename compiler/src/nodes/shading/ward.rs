@@ -1,0 +1,68 @@
+use crate::emit::functions::facets::{Facets, lit};
+use crate::emit::functions::surface_frame::Frame;
+use crate::emit::functions::reflected::reflected;
+use crate::nodes::brdf::ward_brdf::value;
+use crate::nodes::finite::{INTENSITY, UNIT};
+use crate::nodes::{NOT_NEGATIVE, WHITE, node, state};
+use crate::state::Field;
+
+node! {
+    /// Ward's highlight for one light sample, along brushed surfaces: `color light (n·l)` times `ward_brdf`.
+    /// Black where light or viewer is behind the surface, and there no light is asked for: no shadow ray is
+    /// cast. Alpha is 1. Belongs into the body of a light loop.
+    ward in shading,
+    source "Ward 1992; see `ward_brdf`; mental ray base shaders, mib_illum_ward",
+    inputs {
+        /// Shading normal, unit length.
+        normal: vector = state(Field::Normal), in -1.0..=1.0;
+        /// Direction towards the light, unit length.
+        direction: vector = state(Field::LightDirection), in -1.0..=1.0;
+        /// Direction of the ray, towards the surface, unit length.
+        ray: vector = state(Field::Direction), in -1.0..=1.0;
+        /// Colour of the light that arrives.
+        light: color = node("light_color"), in INTENSITY, when lit(i.normal, i.direction, i.ray);
+        /// Colour of the surface.
+        color: color = WHITE, in INTENSITY, when lit(i.normal, i.direction, i.ray);
+        /// Direction along the surface that `roughness_u` and its like go by; put at right angles to the
+        /// normal. Any is taken where this is zero or along the normal.
+        tangent: vector = [0.0, 1.0, 0.0], in -1.0..=1.0;
+        /// Roughness along the tangent.
+        roughness_u: scalar = 0.2, in UNIT;
+        /// Roughness across it.
+        roughness_v: scalar = 0.2, in UNIT;
+        /// Which form.
+        form: choice = 2, of ["ward_1992", "duer_2006", "bounded_2010", "mental_ray"];
+    }
+    outputs {
+        /// The light reflected.
+        color: color, in NOT_NEGATIVE;
+    }
+    body |e, i| {
+        let facets = Facets::of(i.normal, i.direction, i.ray);
+        let frame = Frame::of(i.normal, i.tangent);
+        let factor = value(&facets, &frame, i.roughness_u, i.roughness_v, i.form) * facets.cosine_in;
+        Outputs { color: reflected(facets.above(), i.color, i.light, factor) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    const UP: [f32; 3] = [0.0, 0.0, 1.0];
+    const DOWN: [f32; 3] = [0.0, 0.0, -1.0];
+
+    #[test]
+    fn light_from_behind_is_not_asked_for() {
+        for (direction, ray, asks) in [
+            (UP, DOWN, true),
+            ([1.0, 0.0, 1e-45], DOWN, true),
+            (DOWN, DOWN, false),
+            ([1.0, 0.0, 0.0], DOWN, false),
+            (UP, [1.0, 0.0, 0.0], false),
+        ] {
+            assert_eq!(demanded!(normal = UP, direction = direction, ray = ray => light), asks);
+        }
+        let garbage = [f32::NAN; 4];
+        let shaded = numbers!(normal = UP, direction = DOWN, ray = DOWN, light = garbage => color);
+        assert_eq!(shaded, [0.0, 0.0, 0.0, 1.0]);
+    }
+}
