@@ -6,7 +6,7 @@ use std::sync::Arc;
 use phenomenon_compiler::effects::{Answer, Ray, Renderer, Trace};
 use phenomenon_compiler::engine::{Shade, Shaded};
 use phenomenon_compiler::graph::{Binding, RootKind};
-use phenomenon_compiler::state::{Objects, State, Surface, Surfaces};
+use phenomenon_compiler::state::{Footprint, Objects, State, Surface, Surfaces};
 use phenomenon_compiler::testing::build::{Build, Built, every_engine};
 use phenomenon_runtime::camera::Camera;
 use phenomenon_runtime::geometry::{Mesh, Transform};
@@ -16,8 +16,8 @@ use phenomenon_runtime::scene::{Scene, SceneBuilder};
 /// Counts what it is asked for.
 #[derive(Default)]
 struct Counting {
-    /// Derivatives by u, by v, colours, second coordinates.
-    asked: [Cell<usize>; 4],
+    /// Derivatives by u, by v, colours, second coordinates, footprints.
+    asked: [Cell<usize>; 5],
 }
 
 impl Counting {
@@ -44,6 +44,9 @@ impl Surfaces for Counting {
     fn second_uv(&self, _: &State) -> [f32; 2] {
         self.note(3).second_uv
     }
+    fn footprint(&self, _: &State) -> Footprint {
+        self.note(4).footprint
+    }
 }
 
 impl Renderer for Counting {
@@ -68,11 +71,12 @@ fn shown(build: &mut Build, vector: Binding) -> Binding {
 
 #[test]
 fn what_no_graph_reads_is_not_worked_out() {
-    let looking: [(&str, [usize; 4]); 4] = [
-        ("point", [0; 4]),
-        ("derivative_u", [1, 0, 0, 0]),
-        ("derivative_v", [0, 1, 0, 0]),
-        ("vertex_color", [0, 0, 1, 0]),
+    let looking: [(&str, [usize; 5]); 5] = [
+        ("point", [0; 5]),
+        ("derivative_u", [1, 0, 0, 0, 0]),
+        ("derivative_v", [0, 1, 0, 0, 0]),
+        ("vertex_color", [0, 0, 1, 0, 0]),
+        ("dp_dy", [0, 0, 0, 0, 1]),
     ];
     for (field, expected) in looking {
         let mut build = Build::new();

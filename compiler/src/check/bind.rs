@@ -7,11 +7,11 @@ use crate::graph::{Node, Output, Root};
 use super::draft::Draft;
 use super::limits::MAX_NODES;
 use super::types::Types;
-use super::{bind_inputs, outputs};
+use super::{bind_inputs, implied_scopes, outputs};
 
 /// What a phenomenon becomes.
 pub(super) struct Bound {
-    /// Those of the file, then those that lists, and then those that components stand for.
+    /// Those of the file, then those that lists, components, and inputs left out stand for.
     pub nodes: Vec<Node>,
     pub roots: Vec<Root>,
     pub outputs: Vec<Output>,
@@ -31,6 +31,7 @@ pub(super) fn bind<'d>(
     let first = draft.nodes.len() + bound.nodes.len() - own;
     let splits = draft.splits.take();
     splits.place(first, (&mut bound.nodes, &mut bound.roots, &mut bound.outputs));
+    implied_scopes::add(&draft.node_types, &mut bound.nodes);
     if bound.nodes.len() > MAX_NODES {
         let message = format!(
             "with those that stand for lists the graph has {} nodes; at most {MAX_NODES} are allowed",

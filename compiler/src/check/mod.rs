@@ -26,6 +26,7 @@ mod files;
 mod fixed_inputs;
 mod graph;
 mod hazards;
+mod implied_scopes;
 mod inner;
 mod interface;
 mod intervals;

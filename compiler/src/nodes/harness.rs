@@ -66,6 +66,22 @@ pub fn numbers(definition: &Definition, given: &[(&str, Literal)], output: &str)
     outputs[start..start + width(at)].iter().map(|&word| f32::from_bits(word)).collect()
 }
 
+/// The numbers that the body of a scope gives the fields it changes, one after another.
+///
+/// # Panics
+/// If the node is no scope or has no such input, or its native and portable forms differ.
+pub fn changed(definition: &Definition, given: &[(&str, Literal)]) -> Vec<f32> {
+    let overload = &definition.overloads[0];
+    let inputs = words(definition, overload, given);
+    let code = overload.code.expect("a scope has a body");
+    let code = code.with_fixed(&fixed(definition, overload, &inputs));
+    let (mut changes, mut portable) = (vec![0; code.outputs], vec![0; code.outputs]);
+    code.scalar(&inputs, &mut changes);
+    code.scalar_portable(&inputs, &mut portable);
+    assert_eq!(changes, portable, "native and portable forms differ");
+    changes.into_iter().map(f32::from_bits).collect()
+}
+
 /// Whether the guard of an input holds.
 ///
 /// # Panics

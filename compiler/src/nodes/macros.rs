@@ -44,7 +44,8 @@
 /// * `structural [Kind]`: the engines or the checker know what to do, and there is no body.
 ///
 /// **Annotations** of an input, in any order: `in RANGE`, `avoid zero` or `avoid negative` (taken,
-/// but hardly meant), `when CONDITION`, `list`, and `of ["name", …]` of a `choice`. An output has
+/// but hardly meant), `when CONDITION`, `list`, `of ["name", …]` of a `choice`, and `under ("scope", "input")`:
+/// where it is not given, what that input is given, evaluated in a scope of that type, or `slope` for how much that changes with the step of the scope. An output has
 /// `in RANGE`. Others are refused:
 ///
 /// ```compile_fail
@@ -373,12 +374,14 @@ macro_rules! node {
         $input.avoiding($what)
     }};
     (@annotate $input:ident when [$guard:expr]) => { $input.guarded() };
+    (@annotate $input:ident under [$scope_and_input:expr]) => { $input.under($scope_and_input) };
+    (@annotate $input:ident slope [$scope_and_input:expr]) => { $input.slope($scope_and_input) };
     (@annotate $input:ident list []) => { $input.list() };
     (@annotate $input:ident of [$choices:expr]) => { $input.one_of(&$choices) };
     (@annotate $input:ident $word:ident [$($value:expr)?]) => {
         compile_error!(concat!(
             "an input has no annotation `", stringify!($word $($value)?), "`: there are `in RANGE`, \
-             `avoid zero`, `avoid negative`, `when CONDITION`, `list` and `of [NAME, …]`"
+             `avoid zero`, `avoid negative`, `when CONDITION`, `list`, `of [NAME, …]`, `under (SCOPE, INPUT)` and `slope (SCOPE, INPUT)`"
         ))
     };
     (@output $output:ident [$($doc:literal)+] $type:ident [$($word:ident $value:tt)*]) => {{

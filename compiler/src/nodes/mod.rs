@@ -26,8 +26,8 @@ mod turn_reads;
 pub use library::{Definition, Group, NodeLibrary, NodeType, Overload};
 pub use paragraph::paragraph;
 pub use signature::{
-    Avoid, BLACK, DefaultValue, FINITE, Input, Kind, ListForm, NOT_NEGATIVE, Output, POSITIVE,
-    Signature, WHITE, avoidable, node, required, state,
+    Avoid, BLACK, DefaultValue, FINITE, Implied, Input, Kind, ListForm, NOT_NEGATIVE, Output,
+    POSITIVE, Signature, WHITE, avoidable, node, required, state,
 };
 pub use soundness::DefinitionError;
 pub use turn_reads::{is_of_turn, reads_turn};
@@ -123,8 +123,8 @@ nodes! {
     }
     /// Where to read pictures.
     textures {
-        cylindrical_projection, latlong_projection, place_2d, planar_projection, spherical_projection,
-        triplanar_blend, triplanar_places,
+        bump_normal, cylindrical_projection, latlong_projection, normal_from_map, place_2d, planar_projection,
+        slope, spherical_projection, triplanar_blend, triplanar_places,
     }
     /// What surfaces do with the light of one sample.
     shading {
@@ -140,7 +140,10 @@ nodes! {
         torrance_sparrow_brdf, ward_brdf, ward_density, ward_sample,
     }
     /// Nodes that evaluate an input under a changed state, or many times.
-    scopes { at_point, at_uv, chain, light_loop, perturb_normal }
+    scopes {
+        at_point, at_uv, bump, chain, light_loop, normal_map, perturb_normal, shifted_u, shifted_v,
+        shifted_x, shifted_y,
+    }
     /// Tangent, bitangent and normal: directions in a surface.
     frames {
         frame_from_derivatives, frame_from_direction, frame_from_normal, vector_from_frame, vector_to_frame,

@@ -6,7 +6,9 @@ use std::ops::RangeInclusive;
 use crate::state::Iterated;
 use crate::values::Type;
 
-use super::{Avoid, DefaultValue, Definition, FINITE, Kind, NOT_NEGATIVE, NodeLibrary, Signature};
+use super::{
+    Avoid, DefaultValue, Definition, FINITE, Implied, Kind, NOT_NEGATIVE, NodeLibrary, Signature,
+};
 
 /// Groups of nodes that are seen rather than read about.
 const PICTURED: &[&str] = &["color", "noise", "patterns", "ramps", "shading", "textures"];
@@ -68,6 +70,10 @@ fn write_node(page: &mut String, definition: &Definition) {
         }
         if !input.choices.is_empty() {
             let _ = write!(doc, " One of `{}`.", input.choices.join("`, `"));
+        }
+        if let Some(Implied { scope, of, slope }) = input.implied {
+            let what = if slope { "how it changes" } else { "its value" };
+            let _ = write!(doc, " Where `{of}` is connected, {what} under [`{scope}`](#{scope}).");
         }
         if input.fixed {
             doc.push_str(" *Known before shading.*");

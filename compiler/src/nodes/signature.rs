@@ -122,6 +122,20 @@ pub struct Input {
     pub fixed: bool,
     /// Names of 0, 1, 2 … where the input is a choice; else empty.
     pub choices: &'static [&'static str],
+    /// What the checker gives it where nothing is given, but another input is.
+    pub implied: Option<Implied>,
+}
+
+/// What the checker gives an input where nothing is given, from what another input of the node is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Implied {
+    /// The scope node in which the other input is evaluated; it gets the inputs that it shares with the node.
+    pub scope: &'static str,
+    /// The other input.
+    pub of: &'static str,
+    /// Whether the input is how much that changes with the step of the scope, by a node `slope`, and not its
+    /// value there.
+    pub slope: bool,
 }
 
 /// The names of [`Avoid`] in headers.
@@ -149,12 +163,21 @@ impl Input {
             list: false,
             fixed: false,
             choices: &[],
+            implied: None,
         }
     }
 
     /// An input as a header declares it.
     pub fn of<P: Port>(name: &'static str, doc: &[&str], default: impl Into<DefaultValue>) -> Self {
         Self { fixed: P::FIXED, ..Self::new(name, doc, P::TYPE, default) }
+    }
+
+    /// The whole number it has by default; none if it has another default.
+    pub fn default_number(&self) -> Option<i32> {
+        match self.default {
+            DefaultValue::Literal(Literal::Integer(number)) => Some(number),
+            _ => None,
+        }
     }
 
     /// A choice of these, 0 being the first.
@@ -165,6 +188,16 @@ impl Input {
     /// With this range.
     pub fn within(self, range: RangeInclusive<f64>) -> Self {
         Self { range, ..self }
+    }
+
+    /// By default what another input is given, in a scope of this node type.
+    pub fn under(self, (scope, of): (&'static str, &'static str)) -> Self {
+        Self { implied: Some(Implied { scope, of, slope: false }), ..self }
+    }
+
+    /// By default how another input changes with the step of a scope of this node type.
+    pub fn slope(self, (scope, of): (&'static str, &'static str)) -> Self {
+        Self { implied: Some(Implied { scope, of, slope: true }), ..self }
     }
 
     /// With this to be avoided.

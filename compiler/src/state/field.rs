@@ -211,6 +211,18 @@ fields! {
     SecondU "second_u" Scalar, surface (second_uv[0]);
     /// Second coordinate of the second set; the first set where a surface has one only.
     SecondV "second_v" Scalar, surface (second_uv[1]);
+    /// How the point moves along the longer axis of what the pixel covers, in scene units: across all of it.
+    DpDx "dp_dx" Vector, surface (footprint.point[0]);
+    /// How the point moves along the shorter axis of what the pixel covers.
+    DpDy "dp_dy" Vector, surface (footprint.point[1]);
+    /// How u changes along the longer axis of what the pixel covers.
+    DuDx "du_dx" Scalar, surface (footprint.uv[0][0]);
+    /// How v changes along the longer axis of what the pixel covers.
+    DvDx "dv_dx" Scalar, surface (footprint.uv[0][1]);
+    /// How u changes along the shorter axis of what the pixel covers.
+    DuDy "du_dy" Scalar, surface (footprint.uv[1][0]);
+    /// How v changes along the shorter axis of what the pixel covers.
+    DvDy "dv_dy" Scalar, surface (footprint.uv[1][1]);
     /// Number of the object, from 1 in the order of the scene; 0 where there is none.
     ObjectId "object_id" Integer in COUNT, object (id);
     /// A number of the object's own, 0 to below 1; 0 where there is none.

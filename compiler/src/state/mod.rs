@@ -4,6 +4,7 @@
 mod camera;
 mod field;
 mod field_set;
+mod footprint;
 mod held;
 mod iterated;
 mod known;
@@ -19,6 +20,7 @@ mod surface;
 pub use camera::Camera;
 pub use field::{Field, Holder};
 pub use field_set::FieldSet;
+pub use footprint::{Cone, Footprint};
 pub use iterated::{Iterated, MOST_TURNS};
 pub use known::Known;
 pub use object::{IDENTITY, Object};

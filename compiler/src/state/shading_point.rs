@@ -1,5 +1,6 @@
 //! The state of a shading point: what mental ray's `miState` holds.
 
+use super::footprint::Cone;
 use super::ray_type::RayType;
 
 /// What nodes can know about the point that is shaded. Lengths in scene units, directions of unit
@@ -58,6 +59,8 @@ pub struct Hit {
     /// The point in double precision. The renderer takes it for `point` where `point` is its
     /// rounding; a scope that moves the point leaves it behind.
     pub position: [f64; 3],
+    /// What the pixel sees along the ray.
+    pub cone: Cone,
 }
 
 impl Default for State {

@@ -1,5 +1,6 @@
 //! What is known of the surface at a point, worked out only where something reads it.
 
+use super::footprint::Footprint;
 use super::shading_point::State;
 
 /// What a surface is like at one point.
@@ -13,6 +14,8 @@ pub struct Surface {
     pub vertex_color: [f32; 4],
     /// The second set of surface coordinates.
     pub second_uv: [f32; 2],
+    /// What the pixel covers of it.
+    pub footprint: Footprint,
 }
 
 impl Surface {
@@ -22,6 +25,7 @@ impl Surface {
         derivative_v: [0.0; 3],
         vertex_color: [1.0; 4],
         second_uv: [0.0; 2],
+        footprint: Footprint { point: [[0.0; 3]; 2], uv: [[0.0; 2]; 2] },
     };
 }
 
@@ -33,7 +37,7 @@ impl Default for Surface {
 }
 
 /// The surfaces of a scene. Asked for a point only what a graph reads there; answers depend on the
-/// renderer's note on the hit and on surface coordinates alone.
+/// renderer's note on the hit, on surface coordinates, the ray and the geometric normal alone.
 pub trait Surfaces {
     /// How the point moves with u, in scene units.
     fn derivative_u(&self, state: &State) -> [f32; 3];
@@ -43,6 +47,8 @@ pub trait Surfaces {
     fn vertex_color(&self, state: &State) -> [f32; 4];
     /// The second set of surface coordinates; the first where there is one only.
     fn second_uv(&self, state: &State) -> [f32; 2];
+    /// What the pixel covers of it; nothing where there is no surface.
+    fn footprint(&self, state: &State) -> Footprint;
 }
 
 /// The same surface everywhere.
@@ -58,5 +64,8 @@ impl Surfaces for Surface {
     }
     fn second_uv(&self, _: &State) -> [f32; 2] {
         self.second_uv
+    }
+    fn footprint(&self, _: &State) -> Footprint {
+        self.footprint
     }
 }

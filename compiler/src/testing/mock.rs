@@ -5,7 +5,7 @@ use crate::effects::{
     Answer, Effect, LightList, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId,
     Trace,
 };
-use crate::state::{Camera, Field, Object, Objects, State, Surfaces};
+use crate::state::{Camera, Field, Footprint, Object, Objects, State, Surfaces};
 use crate::values::{Texture, Type};
 
 use super::random::{Random, canonical, mixed};
@@ -107,6 +107,11 @@ impl Surfaces for Folded {
     fn second_uv(&self, state: &State) -> [f32; 2] {
         let mut random = Folded::random(state, 4);
         [0; 2].map(|_| random.number())
+    }
+    fn footprint(&self, state: &State) -> Footprint {
+        let mut random = Folded::random(state, 5);
+        let point = [0; 2].map(|_| random.vector());
+        Footprint { point, uv: [0; 2].map(|_| [0; 2].map(|_| random.number())) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! What signatures keep to.
 
-use crate::nodes::{DefaultValue, Input, NodeLibrary};
+use crate::nodes::{DefaultValue, Implied, Input, Kind, NodeLibrary, Signature};
 use crate::values::{Literal, Type};
 
 use super::subjects::Subjects;
@@ -31,12 +31,21 @@ pub fn signatures_are_sound(subjects: &Subjects) {
             let named = input.choices.is_empty() || input.fixed;
             assert!(named && (!input.fixed || input.value_type == Type::Integer), "{name}");
             check_default(library, name, input);
+            check_implied(library, signature, input);
         }
         for (at, output) in signature.outputs.iter().enumerate() {
             assert!(output.doc.ends_with('.'), "{name}.{}", output.name);
             assert_eq!(signature.output(&output.name), Some(at), "{name}.{} twice", output.name);
         }
     }
+}
+
+fn check_implied(library: &NodeLibrary, signature: &Signature, input: &Input) {
+    let Some(Implied { scope, of, .. }) = input.implied else { return };
+    let scope = library.signature(library.find(scope).expect("the scope exists"));
+    assert!(matches!(scope.kind, Kind::Scope(_)), "{}.{}", signature.name, input.name);
+    let other = &signature.inputs[signature.input(of).expect("the input exists")];
+    assert_eq!(other.value_type, input.value_type, "{}.{}", signature.name, input.name);
 }
 
 fn check_default(library: &NodeLibrary, name: &str, input: &Input) {

@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec3};
 use phenomenon_compiler::state;
 
-use crate::geometry::{COORDINATE_LIMIT, Transform};
+use crate::geometry::{COORDINATE_LIMIT, Transform, double};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,6 +76,13 @@ impl Camera {
             to_camera: to_camera.rows(),
             height: height as f32,
         }
+    }
+
+    /// By how much the cone of a pixel widens along a ray of a unit direction, on a film of so many rows: it is as
+    /// wide as the pixel is high, in planes across the view.
+    pub fn spread(&self, direction: [f32; 3], height: u32) -> f32 {
+        let pixel = self.up.length() * 2.0 / f64::from(height);
+        (pixel * double(direction).dot(self.forward)) as f32
     }
 
     /// Origin and unit direction of the ray through a point of the film, in pixels from the top

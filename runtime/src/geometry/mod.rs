@@ -2,6 +2,7 @@
 
 mod barycentric;
 mod derivatives;
+mod footprint;
 mod limits;
 mod mesh;
 mod obj;
@@ -17,6 +18,7 @@ mod transform;
 mod triangle;
 mod vector;
 
+pub use footprint::footprint;
 pub use limits::{COORDINATE_LIMIT, OBJ_BYTES_LIMIT};
 pub use mesh::{Mesh, MeshError};
 pub use obj::{Normals, ObjError, ObjFault, ObjMesh, parse_obj, read_obj};

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use phenomenon_compiler::effects::{LightList, LightSample, Points};
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::state::{RayType, State};
+use phenomenon_compiler::state::{Hit, RayType, State};
 
 use super::context::Context;
 use super::points::{note, place, precise_point};
@@ -196,6 +196,6 @@ fn shadow_state(
     place(&mut state, &surface, !occluder.hit.inside, single(-towards));
     state.origin = single(source);
     state.dist = (source - surface.position).length() as f32;
-    state.hit = note(scene, &occluder.hit, &surface);
+    state.hit = Hit { cone: point.hit.cone, ..note(scene, &occluder.hit, &surface) };
     state
 }

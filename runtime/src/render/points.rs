@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use phenomenon_compiler::effects::Ray;
-use phenomenon_compiler::state::{Hit, RayType, State};
+use phenomenon_compiler::state::{Cone, Hit, RayType, State};
 
 use crate::geometry::{PreparedRay, RawHit, Surface, double, single};
 use crate::sampling::child_path;
@@ -100,8 +100,22 @@ pub(super) fn hit_state(
     place(&mut state, &surface, waiting.hit.inside, waiting.direction);
     state.origin = single(waiting.origin);
     state.dist = waiting.hit.t as f32;
-    state.hit = note(scene, &waiting.hit, &surface);
+    let cone = widened(scene, from, ray_type, waiting.hit.t as f32);
+    state.hit = Hit { cone, ..note(scene, &waiting.hit, &surface) };
     state
+}
+
+/// The cone of a ray at the end of its way. A mirror that is curved spreads it by twice the angle its normal turns
+/// by across it; refraction is taken to keep it.
+#[inline]
+fn widened(scene: &Scene, from: &State, ray_type: RayType, distance: f32) -> Cone {
+    let Cone { width, mut spread } = from.hit.cone;
+    if ray_type == RayType::Reflection {
+        let curvature = scene.curvature(&from.hit);
+        spread += 2.0 * width * if from.inv_normal { -curvature } else { curvature };
+    }
+    // Past the focus of a hollow mirror it widens again.
+    Cone { width: (width + spread * distance).abs(), spread }
 }
 
 /// What the renderer notes of a hit.
@@ -109,7 +123,7 @@ pub(super) fn hit_state(
 pub(super) fn note(scene: &Scene, hit: &RawHit, surface: &Surface) -> Hit {
     let id = scene.tree.id(hit.slot);
     let position = surface.position.to_array();
-    Hit { instance: id.object, primitive: id.primitive, position }
+    Hit { instance: id.object, primitive: id.primitive, position, cone: Cone::default() }
 }
 
 /// The state of an environment lookup.

@@ -4,7 +4,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use phenomenon_compiler::effects::{Answer, Ray};
-use phenomenon_compiler::state::State;
+use phenomenon_compiler::state::{Cone, Hit, State};
 use rayon::prelude::*;
 
 use super::context::Context;
@@ -310,6 +310,7 @@ fn camera_state(scene: &Scene, settings: &Settings, column: u32, row: u32, sampl
     let [x, y] = pixel_position(settings.seed, column, row, sample, settings.samples);
     let raster = [column as f32 + x, row as f32 + y];
     let (origin, direction) = scene.camera.ray(raster, settings.width, settings.height);
+    let spread = scene.camera.spread(direction, settings.height) * sharpness(settings.samples);
     State {
         origin,
         direction,
@@ -317,6 +318,13 @@ fn camera_state(scene: &Scene, settings: &Settings, column: u32, row: u32, sampl
         dist: 0.0,
         raster,
         path: path_key(settings.seed, column, row, sample),
+        hit: Hit { cone: Cone { width: 0.0, spread }, ..Hit::default() },
         ..State::default()
     }
+}
+
+/// What a sample sees of a pixel's width: together the samples see all of it, so each may be sharper. At least an
+/// eighth, for the places of samples are not that even.
+fn sharpness(samples: u32) -> f32 {
+    (1.0 / f64::from(samples).sqrt()).max(0.125) as f32
 }

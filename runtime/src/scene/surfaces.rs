@@ -2,10 +2,10 @@
 //! graph reads it.
 
 use glam::DVec3;
-use phenomenon_compiler::state::{State, Surface, Surfaces};
+use phenomenon_compiler::state::{Footprint, Hit, State, Surface, Surfaces};
 
 use super::build::Scene;
-use crate::geometry::{Mesh, Shape, single};
+use crate::geometry::{Mesh, Shape, double, footprint, single};
 
 impl Scene {
     /// The mesh a point is on, and the number of its triangle.
@@ -15,6 +15,15 @@ impl Scene {
         };
         let number = state.hit.primitive;
         ((number as usize) < mesh.triangles.len()).then_some((&**mesh, number))
+    }
+
+    /// How much the normal of a surface turns along it, for each unit of length, seen from outside. Of meshes it is taken
+    /// for nothing.
+    pub(crate) fn curvature(&self, hit: &Hit) -> f32 {
+        match self.objects.get(hit.instance as usize).map(|object| &object.shape) {
+            Some(Shape::Sphere(sphere)) => 1.0 / sphere.radius,
+            _ => 0.0,
+        }
     }
 
     /// How a point moves with its coordinates; not at all where it is on no object.
@@ -47,5 +56,13 @@ impl Surfaces for Scene {
         let position = DVec3::from(state.hit.position);
         let of_mesh = |(mesh, number): (&Mesh, u32)| mesh.second_uv(number, position);
         self.mesh_of(state).and_then(of_mesh).unwrap_or(state.uv)
+    }
+
+    fn footprint(&self, state: &State) -> Footprint {
+        if self.objects.get(state.hit.instance as usize).is_none() {
+            return Surface::NONE.footprint;
+        }
+        let (direction, normal) = (double(state.direction), double(state.normal_geom));
+        footprint(direction, normal, self.derivatives(state), state.hit.cone.width.into())
     }
 }

@@ -63,7 +63,8 @@ The state is that of a ray along -z which hits a plane at the origin from distan
   vectors  origin direction point normal normal_geom
   numbers  dot_nd dist ior ior_in u v time raster_x raster_y
   others   inv_normal ray_type reflection_level refraction_level incoming
-  surface  derivative_u derivative_v vertex_color second_u second_v
+  surface  derivative_u derivative_v vertex_color second_u second_v dp_dx dp_dy du_dx dv_dx
+           du_dy dv_dy
   object   object_id object_random object_to_world world_to_object
   camera   camera_to_world world_to_camera camera_height
 Directions and normals are brought to unit length; normal_geom follows normal, dot_nd follows normal

@@ -137,6 +137,10 @@ impl<'n> Intervals<'n> {
             {
                 given::unknown(to, into);
             }
+            // What the checker gives it is not known here.
+            Binding::Default if definition.signature.inputs[input].implied.is_some() => {
+                given::unknown(to, into);
+            }
             Binding::Default => default(&definition.signature.inputs[input].default, to, into),
         }
     }

@@ -28,6 +28,7 @@ pub const SEVERAL: &[&str] = &[
     "projection",
     "mib_texture_vector",
     "triplanar",
+    "shift_along_surface",
     "box_mapping",
     "box_projection",
     "fresnel",

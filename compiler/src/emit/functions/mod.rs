@@ -1,5 +1,6 @@
 //! Functions composed of [`Real`](super::Real) operations: what node bodies call.
 
+pub mod bent_normal;
 pub mod cells;
 pub mod colors;
 pub mod conventions;

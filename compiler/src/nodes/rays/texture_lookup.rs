@@ -15,8 +15,8 @@ node! {
     /// range of the pixels, and blurs a little. `footprint` averages what a pixel of the image covers, so
     /// that patterns do not flicker far away: coarser versions of the picture are made, each half as
     /// wide, and up to sixteen probes between two of them are laid along the longer axis of the ellipse
-    /// that the vectors (du_dx, dv_dx) and (du_dy, dv_dy) span. Where that covers less than a pixel of the
-    /// picture it is `linear`. Data, such as a normal map or a height, are read as they are where the texture says
+    /// that the vectors (du_dx, dv_dx) and (du_dy, dv_dy) span: those of the surface, or, where coordinates are
+    /// computed, how these change with it. Where that covers less than a pixel of the picture it is `linear`. Data, such as a normal map or a height, are read as they are where the texture says
     /// `"space": "linear"`.
     ///
     /// MaterialX's `image` has the same names of modes, its `default` also for files that are not there.
@@ -40,13 +40,13 @@ node! {
         /// Colour outside of the picture.
         default: color = [0.0; 4], when e.mask(i.wrap_u == Wrap::CONSTANT || i.wrap_v == Wrap::CONSTANT), in FINITE;
         /// Change of `u` along the longer axis of the footprint.
-        du_dx: scalar = 0.0, when e.mask(i.filter == Filter::FOOTPRINT);
+        du_dx: scalar = state(Field::DuDx), when e.mask(i.filter == Filter::FOOTPRINT), slope ("shifted_x", "u");
         /// Change of `v` along the longer axis of the footprint.
-        dv_dx: scalar = 0.0, when e.mask(i.filter == Filter::FOOTPRINT);
+        dv_dx: scalar = state(Field::DvDx), when e.mask(i.filter == Filter::FOOTPRINT), slope ("shifted_x", "v");
         /// Change of `u` along the shorter axis of the footprint.
-        du_dy: scalar = 0.0, when e.mask(i.filter == Filter::FOOTPRINT);
+        du_dy: scalar = state(Field::DuDy), when e.mask(i.filter == Filter::FOOTPRINT), slope ("shifted_y", "u");
         /// Change of `v` along the shorter axis of the footprint.
-        dv_dy: scalar = 0.0, when e.mask(i.filter == Filter::FOOTPRINT);
+        dv_dy: scalar = state(Field::DvDy), when e.mask(i.filter == Filter::FOOTPRINT), slope ("shifted_y", "v");
     }
     outputs {
         /// Scene-linear colour, associated: multiplied by the alpha of the picture, which it has.
