@@ -176,6 +176,26 @@ fn integers_divide_downwards() {
 }
 
 #[test]
+fn integers_divide_exactly() {
+    let near = |x: i64| [x - 2, x - 1, x, x + 1, x + 2];
+    let powers = (0..32).flat_map(|power| near(1 << power)).chain(near(1_000_000_007));
+    let hard: Vec<i32> =
+        powers.flat_map(|x| [x, -x]).filter_map(|x| i32::try_from(x).ok()).collect();
+    for (n, divisor) in hard.iter().flat_map(|&n| hard.iter().map(move |&divisor| (n, divisor))) {
+        let (wide, by) = (i64::from(n), i64::from(divisor));
+        let (quotient, rest) = match by {
+            0 => (0, 0),
+            _ => {
+                let down = wide.div_euclid(by) - i64::from(by < 0 && wide.rem_euclid(by) != 0);
+                (down, wide - down * by)
+            }
+        };
+        assert_eq!(int_divide_or_zero(I32(n), I32(divisor)).0, quotient as i32, "{n} / {divisor}");
+        assert_eq!(int_modulo_or_zero(I32(n), I32(divisor)).0, rest as i32, "{n} mod {divisor}");
+    }
+}
+
+#[test]
 fn saturate_and_clamp_turn_nan_into_the_lower_end() {
     is(F32(NAN).saturate(), 0.0);
     is(F32(INF).saturate(), 1.0);

@@ -10,7 +10,7 @@ use crate::values::{Literal, Type};
 use super::draft::{Draft, DraftInput, DraftRoot, Source, SourceKind};
 use super::literals::Room;
 use super::type_names::with_article;
-use super::types::{Types, overload};
+use super::types::{Types, literal_type, overload};
 use super::{components, fixed_inputs, lists, literals, mismatch, ramps, ranges, references};
 
 /// The nodes and the roots, and how many of the nodes are the file's own. Nodes of unknown type are left
@@ -152,7 +152,7 @@ fn bind_list<'d>(
         let Some(at) = input.input else { continue };
         given[at] = true;
         let declared = &signature.inputs[at];
-        let to = due(&input.source, declared, generic);
+        let to = due(&input.source, declared, signature, generic);
         let what = || format!("input `{}` of {}", declared.name, draft.described(node));
         let Some(to) = to else {
             complete = false;
@@ -236,7 +236,7 @@ fn bind_node<'d>(
         let Some(at) = input.input else { continue };
         given[at] = true;
         let generic = signature.inputs[at].value_type == Type::Generic;
-        let to = due(&input.source, &signature.inputs[at], types.generic(node));
+        let to = due(&input.source, &signature.inputs[at], signature, types.generic(node));
         let what = || format!("input `{}` of {}", signature.inputs[at].name, draft.described(node));
         let Some(to) = to else { continue };
         let declared = &signature.inputs[at];
@@ -274,12 +274,17 @@ fn bind_node<'d>(
 
 /// The type an input takes; none where that is not known. A literal that is of no type a generic input
 /// could have is refused by all of them.
-fn due(source: &Source<'_>, input: &Input, generic: Option<Type>) -> Option<Type> {
+fn due(
+    source: &Source<'_>,
+    input: &Input,
+    signature: &Signature,
+    generic: Option<Type>,
+) -> Option<Type> {
     if input.value_type != Type::Generic {
         return Some(input.value_type);
     }
-    let hopeless =
-        source.kind == SourceKind::Literal && literals::natural_type(source.value).is_none();
+    let hopeless = source.kind == SourceKind::Literal
+        && literal_type(source.value, &signature.generic).is_none();
     if hopeless { Some(Type::Generic) } else { generic }
 }
 

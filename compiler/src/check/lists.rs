@@ -42,14 +42,10 @@ impl List<'_> {
         while let Some(value) = values.pop() {
             let at = values.len();
             let name = format!("{}[{at}]", self.name);
-            let bound = Binding::Literal(Literal::Scalar(at as f32));
-            let index = match &index {
-                // Inputs of type scalar hold scalars.
-                Binding::Literal(literal) => Binding::Literal(literal.converted_to(Type::Scalar)?),
-                other => other.clone(),
-            };
-            let inputs = vec![("a", index), ("b", bound)];
-            added.push(node(self.library, "less_equal", format!("{name}?"), None, inputs)?);
+            let bound = Binding::Literal(Literal::Integer(i32::try_from(at).ok()?));
+            let inputs = vec![("a", index.clone()), ("b", bound)];
+            let of = Some(Type::Integer);
+            added.push(node(self.library, "less_equal", format!("{name}?"), of, inputs)?);
             let holds = Binding::Node { node: self.next + added.len() - 1, output: 0 };
             let name = if at == 0 { self.name } else { &name };
             let mut chosen = select(self.library, name, generic, holds, value)?;

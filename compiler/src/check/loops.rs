@@ -69,9 +69,10 @@ impl Walk<'_, '_> {
             SourceKind::Literal | SourceKind::Compound(_) | SourceKind::Broken => return,
         };
         let Some(node_type) = self.draft.nodes[node].node_type else { return };
-        let is_phenomenon = self.draft.nested.contains_key(&node_type);
         let library = self.draft.node_types.library;
-        if !is_phenomenon && is_of_turn(library, node_type, output, self.over) {
+        if self.draft.node_types.is_of_library(node_type)
+            && is_of_turn(library, node_type, output, self.over)
+        {
             self.report(reader, node, Some(source.value), "");
         }
         if !std::mem::replace(&mut self.visited[node], true) {

@@ -168,9 +168,6 @@ fn describe_whole(draft: &Draft<'_>, source: &Source<'_>) -> (String, String) {
 }
 
 fn help(library: &NodeLibrary, from: Type, to: Type, part: &str) -> String {
-    if (from, to) == (Type::Scalar, Type::Integer) {
-        return "connect an integer: a scalar is never rounded unasked".into();
-    }
     if to.is_uniform() {
         let a = with_article(to);
         return format!("{a} is never computed: give a literal, or a parameter of that type");
@@ -181,6 +178,12 @@ fn help(library: &NodeLibrary, from: Type, to: Type, part: &str) -> String {
     let single = converters(library, from, to);
     if !single.is_empty() {
         return format!("put `{part}` through {}", single.join(" or "));
+    }
+    if from.is_uniform() {
+        let a = with_article(from);
+        return format!(
+            "{a} is known before shading, so nodes neither choose nor compute one: give it to what takes {a}, and choose among the outputs"
+        );
     }
     // By way of numbers: take the value apart, put it together anew.
     let apart = converters(library, from, Type::Scalar);
@@ -230,7 +233,9 @@ fn converter(signature: &Signature, from: Type, to: Type) -> Option<(usize, Stri
     }
     let name = format!("a `{}` node", signature.name);
     let output = signature.outputs.iter().position(|output| output.value_type == to);
-    let taken: Vec<bool> = signature.inputs.iter().map(|input| input.value_type == from).collect();
+    // What is known before shading says how, and no value arrives there.
+    let arriving = signature.inputs.iter().filter(|input| !input.fixed);
+    let taken: Vec<bool> = arriving.map(|input| input.value_type == from).collect();
     let needs_more = signature
         .inputs
         .iter()

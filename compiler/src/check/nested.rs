@@ -80,7 +80,13 @@ impl Nested {
                 let default = parameter.default.clone();
                 let name = parameter.name.clone();
                 let input = Input::new(name, &[], parameter.value_type, default);
-                Input { doc: parameter.doc.clone(), fixed, ..input.within(parameter.range.clone()) }
+                let input =
+                    input.within(parameter.range.clone()).usually(parameter.soft_range.clone());
+                Input {
+                    doc: parameter.doc.clone(),
+                    fixed,
+                    ..input.measured_in(parameter.unit.clone())
+                }
             })
             .collect();
         let output = |of: &Output| nodes::Output::new(of.name.clone(), &[&of.doc], of.value_type);
@@ -92,6 +98,8 @@ impl Nested {
             inputs,
             outputs: self.outputs.iter().map(output).collect(),
             kind: Kind::Plain,
+            generic: Type::GENERIC.into(),
+            or_list: None,
         })
     }
 }

@@ -84,7 +84,12 @@ fn read_header<'d>(
     if let (Some(node_type), Some((version, value))) = (node_type, version) {
         check_version(reader, draft, node_type, version, value);
     }
-    node_type
+    let list = &draft.node_types.signature(node_type?).or_list;
+    let inputs = member.value.get("inputs");
+    match list.as_ref().and_then(|list| inputs?.get(&list.name)) {
+        Some(_) => draft.node_types.over_list(node_type?),
+        None => node_type,
+    }
 }
 
 /// Reports the keys a node does not have. Those that are inputs of its type stand a level too high, which
@@ -243,6 +248,7 @@ fn unknown_input(
     let is_given = |name: &str| signature.input(name).is_some_and(|at| given[at]);
     let is_free = |name: &str| signature.input(name).is_some() && !is_given(name);
     let mut advice = match synonyms::input(&member.key, is_free) {
+        _ if let Some(help) = list_in_place(draft, node, member) => help.into(),
         // Whose `in1` is whose `fg`: the order of a mix is what others differ in.
         Some(Synonym { ours, .. }) if signature.name == "mix" && ours != ["weight"] => {
             let ours = listed_or(ours);
@@ -262,6 +268,20 @@ fn unknown_input(
     let (name, kind) = (shortened(draft.name(node)), &signature.name);
     let message = format!("node `{name}` ({kind}) has no input `{}`", shortened(&member.key));
     reader.findings.push(Finding::misspelt(Code::UNKNOWN_INPUT, place, message, advice));
+}
+
+/// What to do about an input that a node does not have for the list it takes, or might.
+fn list_in_place(draft: &Draft<'_>, node: usize, member: &Member) -> Option<String> {
+    let signature = draft.node_types.signature(draft.nodes[node].node_type?);
+    if let Some(list) = &signature.or_list {
+        let numbered = member.key.ends_with(|last: char| last.is_ascii_digit());
+        return numbered
+            .then(|| format!("give any number of values as `\"{}\": [ … ]`", list.name));
+    }
+    let of_library = draft.node_types.signature(draft.node_types.library.find(&signature.name)?);
+    let list = of_library.or_list.as_ref()?;
+    of_library.input(&member.key)?;
+    Some(format!("its values are those of `{}`: move it there", list.name))
 }
 
 fn read_inputs<'d>(

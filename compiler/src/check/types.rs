@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use crate::document::numbers::{self, Whole};
+use crate::document::{Value, ValueKind};
 use crate::nodes::{Definition, NodeType};
 use crate::values::Type;
 
@@ -77,9 +79,11 @@ fn resolve_node(
     node_type: NodeType,
 ) -> Option<Type> {
     let signature = draft.node_types.signature(node_type);
+    let takes = |of: Type| signature.generic.contains(&of);
     let mut widest: Option<Type> = None;
     let mut vector = false;
     let mut triple = false;
+    let mut other: Option<Type> = None;
     let mut unknown = false;
     for input in &node.inputs {
         let generic =
@@ -95,20 +99,29 @@ fn resolve_node(
                     triple = true;
                     continue;
                 }
+                // A whole number is an integer where others are.
+                if takes(Type::Integer) && is_whole(input.source.value) {
+                    continue;
+                }
                 // What is no number is reported as such, whatever the others are.
-                let Some(natural) = natural_type(input.source.value) else { continue };
+                let Some(natural) = literal_type(input.source.value, &signature.generic) else {
+                    continue;
+                };
                 Some(natural)
             }
             _ => types.of(draft, &input.source),
         };
         match arriving {
             Some(Type::Vector) => vector = true,
-            Some(found) if !found.is_numeric() => {}
+            Some(found) if !found.is_numeric() => {
+                other = other.or(Some(found).filter(|found| takes(*found)));
+            }
             Some(found) => widest = Some(widest.map_or(found, |so_far| wider(so_far, found))),
             None => unknown = true,
         }
     }
     let resolved = match (widest, vector, triple) {
+        (None, false, false) if let Some(other) = other => other,
         (Some(Type::Color), _, _) => Type::Color,
         (_, true, _) => Type::Vector,
         (_, false, true) => Type::Color,
@@ -120,8 +133,30 @@ fn resolve_node(
     overload_type(draft.node_types.definition(node_type), resolved)
 }
 
+/// The type a literal has by itself at an input of one of these types.
+pub(super) fn literal_type(value: &Value, types: &[Type]) -> Option<Type> {
+    match &value.kind {
+        ValueKind::Array(elements) if elements.len() == 16 && types.contains(&Type::Transform) => {
+            Some(Type::Transform)
+        }
+        _ => natural_type(value),
+    }
+}
+
+/// Whether a literal is a whole number that an integer keeps: -0 would lose its sign.
+fn is_whole(value: &Value) -> bool {
+    match &value.kind {
+        ValueKind::Number(text) => match numbers::whole(text) {
+            Whole::Number(0) => !text.starts_with('-'),
+            Whole::Number(number) => i32::try_from(number).is_ok(),
+            Whole::Fraction | Whole::NoNumber => false,
+        },
+        _ => false,
+    }
+}
+
 fn is_triple(source: &Source<'_>) -> bool {
-    matches!(&source.value.kind, crate::document::ValueKind::Array(elements) if elements.len() == 3)
+    matches!(&source.value.kind, ValueKind::Array(elements) if elements.len() == 3)
 }
 
 fn wider(a: Type, b: Type) -> Type {

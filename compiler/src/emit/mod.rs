@@ -15,6 +15,7 @@ mod body;
 pub mod functions;
 pub mod interval;
 mod methods;
+mod ordered;
 pub mod scalar;
 mod shapes;
 pub mod standard;
@@ -23,6 +24,7 @@ mod words;
 
 pub use back_end::{Bits, Emit, Int, Mask, Real, Select};
 pub use body::{Body, MAX_OUTPUTS};
+pub use ordered::Ordered;
 pub use shapes::{Color, Components, One, Transform, Vector};
 pub use table::Table;
 pub use words::{Sink, Words, read_color, read_transform, read_vector, write_color, write_vector};

@@ -210,6 +210,18 @@ impl<R: Real> Vector<R> {
     }
 }
 
+impl<M: Copy, R: Select<M>> Select<M> for Transform<R> {
+    #[inline(always)]
+    fn select(mask: M, if_true: Self, if_false: Self) -> Self {
+        Self {
+            x: Vector::select(mask, if_true.x, if_false.x),
+            y: Vector::select(mask, if_true.y, if_false.y),
+            z: Vector::select(mask, if_true.z, if_false.z),
+            translation: Vector::select(mask, if_true.translation, if_false.translation),
+        }
+    }
+}
+
 impl<R: Real> Transform<R> {
     /// Where a point goes: `fma(p.x, x, fma(p.y, y, fma(p.z, z, translation)))`.
     #[inline(always)]

@@ -153,10 +153,9 @@ fn words(definition: &Definition, overload: &Overload, given: &[(&str, Literal)]
             continue;
         }
         match &input.default {
-            DefaultValue::Literal(Literal::Scalar(value)) => {
-                words.extend(std::iter::repeat_n(value.to_bits(), value_type.width()));
+            DefaultValue::Literal(literal) => {
+                words.extend(literal.as_default(value_type).expect("a default").words());
             }
-            DefaultValue::Literal(literal) => words.extend(literal.words()),
             DefaultValue::State(field) => {
                 let first = words.len();
                 words.resize(first + value_type.width(), 0);

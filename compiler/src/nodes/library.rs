@@ -59,10 +59,23 @@ impl Definition {
     ) -> Self {
         let overload = |generic| Overload { generic, code, guards: guards.clone() };
         let overloads = if signature.is_generic() {
-            Type::GENERIC.map(|known| overload(Some(known))).into()
+            signature.generic.iter().map(|known| overload(Some(*known))).collect()
         } else {
             vec![overload(None)]
         };
+        Self { signature, overloads, per_component: false }
+    }
+
+    /// A node that has a body for each type its generic inputs may have, and no conditions.
+    pub fn of_bodies(signature: Signature, bodies: &[BodyForms]) -> Self {
+        let guards = vec![None; signature.inputs.len()];
+        let forms = signature.generic.iter().zip(bodies);
+        let overload = |(of, code): (&Type, &BodyForms)| Overload {
+            generic: Some(*of),
+            code: Some(*code),
+            guards: guards.clone(),
+        };
+        let overloads = forms.map(overload).collect();
         Self { signature, overloads, per_component: false }
     }
 
@@ -133,6 +146,8 @@ impl Definition {
             inputs: Vec::new(),
             outputs: names.iter().zip(&fields).map(output).collect(),
             kind: Kind::Fields(fields),
+            generic: Type::GENERIC.into(),
+            or_list: None,
         })
     }
 }

@@ -35,6 +35,8 @@
 /// * none: the body yields `Outputs`;
 /// * `generic`: the same, over `T: Components<E::Real>` for scalar, vector and color inputs, or for
 ///   those in brackets: `generic [vector, color]`;
+/// * `every type`: chooses among values of any type that is computed; over `T: Select<E::Mask>`;
+/// * `comparing`: compares scalars, and integers exactly; over `T: Ordered<E::Mask>`;
 /// * `per component`: the body yields the one output's component from the inputs' components. The
 ///   first input is generic, and of a colour its alpha passes unchanged: bodies never see alpha;
 /// * `request Effect`: asks the renderer, and has no body: what conditions look at is named before its
@@ -43,7 +45,7 @@
 ///   `scoped`, of any type or generic, is evaluated under them;
 /// * `structural [Kind]`: the engines or the checker know what to do, and there is no body.
 ///
-/// **Annotations** of an input, in any order: `in RANGE`, `avoid zero` or `avoid negative` (taken,
+/// **Annotations** of an input, in any order: `in RANGE`, `soft RANGE` (what is usual), `unit "radians"`, `avoid zero` or `avoid negative` (taken,
 /// but hardly meant), `when CONDITION`, `list`, `of ["name", …]` of a `choice`, and `under ("scope", "input")`:
 /// where it is not given, what that input is given, evaluated in a scope of that type, or `slope` for how much that changes with the step of the scope. An output has
 /// `in RANGE`. Others are refused:
@@ -137,6 +139,7 @@ macro_rules! node {
         $(#[doc = $doc:literal])+
         $name:ident in $group:ident $($kind:ident)* $([$($of:tt)+])?, source $source:literal,
         inputs $(|$back_end:ident, $given:ident|)? { $($(#[doc = $idoc:literal])+ $input:ident : $itype:ident = $default:expr $(, $iword:ident $($ivalue:expr)?)*;)* }
+        $(or { $(#[doc = $ldoc:literal])+ $list:ident; })?
         $(scoped { $(#[doc = $sdoc:literal])+ $scoped:ident : $stype:ident = $sdefault:expr $(, $sword:ident $($svalue:expr)?)*; })?
         $(changes { $($change:ident : $ctype:ident;)+ })?
         outputs { $($(#[doc = $odoc:literal])+ $output:ident : $otype:ident $(, $oword:ident $($ovalue:expr)?)*;)+ }
@@ -159,6 +162,13 @@ macro_rules! node {
                 ],
                 outputs: vec![$($crate::node!(@output $output [$($odoc)+] $otype [$($oword [$($ovalue)?])*]),)+],
                 kind: $crate::node!(@kind [$($kind)*] [$($($of)+)?]),
+                generic: $crate::node!(@types [$($kind)*] [$($($of)+)?]),
+                or_list: None$(.or(Some($crate::nodes::Input::new(
+                    stringify!($list),
+                    &[$($ldoc),+],
+                    $crate::values::Type::Generic,
+                    $crate::nodes::required(),
+                ).list())))?,
             };
             define(signature)
         }
@@ -205,18 +215,40 @@ macro_rules! node {
         $crate::node!(@structure Outputs "What the node yields." $outputs);
         $crate::node!(@function body generic $e $i Outputs<E, T>, $body);
         $crate::node!(@run [S: $crate::nodes::ports::Shape] S, $inputs $outputs);
-        $crate::node!(@generic $e $i $inputs false $types);
+        $crate::node!(@generic [S: $crate::nodes::ports::Shape] generic $e $i $inputs false $types);
+    };
+    (@code [every type] [] [$e:ident $i:ident $body:expr] $inputs:tt [] [] $outputs:tt) => {
+        $crate::node!(@structure Inputs "What arrives at the node." $inputs);
+        $crate::node!(@structure Outputs "What the node yields." $outputs);
+        $crate::node!(@function body chosen $e $i Outputs<E, T>, $body);
+        $crate::node!(@run [S: $crate::nodes::ports::Form] S, $inputs $outputs);
+        $crate::node!(@generic [S: $crate::nodes::ports::Form] chosen $e $i $inputs false
+            [scalar, vector, color, integer, boolean, transform]);
+    };
+    (@code [comparing] [] [$e:ident $i:ident $body:expr] $inputs:tt [] [] $outputs:tt) => {
+        $crate::node!(@structure Inputs "What arrives at the node." $inputs);
+        $crate::node!(@structure Outputs "What the node yields." $outputs);
+        $crate::node!(@function body compared $e $i Outputs<E, T>, $body);
+        $crate::node!(@run [] $crate::nodes::ports::scalar, $inputs $outputs);
+        $crate::node!(@run_again [] $crate::nodes::ports::integer, $inputs $outputs);
+
+        fn define(signature: $crate::nodes::Signature) -> $crate::nodes::Definition {
+            $crate::nodes::Definition::of_bodies(signature, &[
+                $crate::kernels::BodyForms::of::<NodeBody<$crate::nodes::ports::scalar>>(),
+                $crate::kernels::BodyForms::of::<NodeBody<$crate::nodes::ports::integer>>(),
+            ])
+        }
     };
     (@code [per component] [] [$e:ident $i:ident $body:expr] $inputs:tt [] [] [$output:ident : generic;]) => {
         $crate::node!(@structure Inputs "What arrives at the node." $inputs);
         $crate::node!(@function component component $e $i E::Real, $body);
         $crate::node!(@run_components $inputs $inputs);
-        $crate::node!(@generic $e $i $inputs true []);
+        $crate::node!(@generic [S: $crate::nodes::ports::Shape] generic $e $i $inputs true []);
     };
     (@code [$($kind:ident)*] $($rest:tt)*) => {
         compile_error!(concat!(
             "no node is of the kind `", stringify!($($kind)*), "` with these parts: there are none, `generic`, \
-             `generic [TYPE, …]` and `per component` (one generic output) with a body, `scope [FIELD, …]` with scoped input, \
+             `generic [TYPE, …]`, `every type`, `comparing` and `per component` (one generic output) with a body, `scope [FIELD, …]` with scoped input, \
              changes and a body, and `request EFFECT` and `structural [KIND]` without one"
         ));
     };
@@ -231,12 +263,12 @@ macro_rules! node {
             $crate::nodes::Definition::with_code(signature, code, guards)
         }
     };
-    (@generic $e:ident $i:ident $inputs:tt $per_component:literal $types:tt) => {
-        fn overload<S: $crate::nodes::ports::Shape>() -> $crate::nodes::Overload {
+    (@generic [$($bounds:tt)+] $mode:ident $e:ident $i:ident $inputs:tt $per_component:literal $types:tt) => {
+        fn overload<$($bounds)+>() -> $crate::nodes::Overload {
             $crate::nodes::Overload {
                 generic: Some(S::TYPE),
                 code: Some($crate::kernels::BodyForms::of::<NodeBody<S>>()),
-                guards: $crate::node!(@guards [S: $crate::nodes::ports::Shape] S, generic $e $i $inputs $inputs),
+                guards: $crate::node!(@guards [$($bounds)+] S, $mode $e $i $inputs $inputs),
             }
         }
 
@@ -278,6 +310,20 @@ macro_rules! node {
             $body
         }
     };
+    (@function $function:ident chosen $e:ident $i:ident $result:ty, $body:expr) => {
+        #[inline(always)]
+        fn $function<E: $crate::emit::Emit, T: Copy + $crate::emit::Select<E::Mask>>($e: E, $i: &Inputs<E, T>) -> $result {
+            let _ = ($e, $i);
+            $body
+        }
+    };
+    (@function $function:ident compared $e:ident $i:ident $result:ty, $body:expr) => {
+        #[inline(always)]
+        fn $function<E: $crate::emit::Emit, T: $crate::emit::Ordered<E::Mask>>($e: E, $i: &Inputs<E, T>) -> $result {
+            let _ = ($e, $i);
+            $body
+        }
+    };
     (@function $function:ident component $e:ident $i:ident $result:ty, $body:expr) => {
         #[inline(always)]
         fn $function<E: $crate::emit::Emit>($e: E, $i: &Inputs<E, E::Real>) -> $result {
@@ -287,7 +333,7 @@ macro_rules! node {
     };
     (@load $shape:ty, $words:ident, [$($input:ident : $itype:ident $annotations:tt;)*]) => {{
         let mut at = 0;
-        let inputs = Inputs::<E, <$shape as $crate::nodes::ports::Shape>::Of<E>> {
+        let inputs = Inputs::<E, <$shape as $crate::nodes::ports::Form>::Of<E>> {
             $($input: {
                 let value = <$crate::nodes::ports::$itype as $crate::nodes::ports::Port>::load::<E, $shape>($words, at);
                 at += const { $crate::nodes::ports::width::<$crate::nodes::ports::$itype, $shape>() };
@@ -297,11 +343,14 @@ macro_rules! node {
         let _ = at;
         inputs
     }};
-    (@body_impl [$($bound:tt)*] $body:ident $shape:ty, $outputs:expr, |$emit:ident, $words:ident, $sink:ident| $run:block) => {
+    (@body_impl $bounds:tt $body:ident $shape:ty, $outputs:expr, |$emit:ident, $words:ident, $sink:ident| $run:block) => {
         #[doc = "Code of the node, over the type its generic inputs have."]
         #[derive(Debug)]
         pub struct $body<S>(std::marker::PhantomData<S>);
 
+        $crate::node!(@run_impl $bounds $body $shape, $outputs, |$emit, $words, $sink| $run);
+    };
+    (@run_impl [$($bound:tt)*] $body:ident $shape:ty, $outputs:expr, |$emit:ident, $words:ident, $sink:ident| $run:block) => {
         impl<$($bound)*> $crate::emit::Body for $body<$shape> {
             const OUTPUTS: usize = $outputs;
             #[inline(always)]
@@ -312,8 +361,14 @@ macro_rules! node {
             ) $run
         }
     };
-    (@run $bounds:tt $shape:ty, $inputs:tt [$($output:ident : $otype:ident;)+]) => {
-        $crate::node!(@body_impl $bounds NodeBody $shape,
+    (@run $bounds:tt $shape:ty, $inputs:tt $outputs:tt) => {
+        $crate::node!(@run_by body_impl $bounds $shape, $inputs $outputs);
+    };
+    (@run_again $bounds:tt $shape:ty, $inputs:tt $outputs:tt) => {
+        $crate::node!(@run_by run_impl $bounds $shape, $inputs $outputs);
+    };
+    (@run_by $by:ident $bounds:tt $shape:ty, $inputs:tt [$($output:ident : $otype:ident;)+]) => {
+        $crate::node!(@$by $bounds NodeBody $shape,
             0 $(+ $crate::nodes::ports::width::<$crate::nodes::ports::$otype, $shape>())+,
             |emit, words, sink| {
                 let result = body(emit, &$crate::node!(@load $shape, words, $inputs));
@@ -353,8 +408,15 @@ macro_rules! node {
     (@guard $bounds:tt $shape:ty, $mode:ident $e:ident $i:ident $inputs:tt $word:ident $value:tt) => { None };
 
     // ---- signature
+    (@types [generic] [$($type:ident),+]) => { vec![$(<$crate::nodes::ports::$type as $crate::nodes::ports::Port>::TYPE),+] };
+    (@types [every type] []) => { $crate::values::Type::COMPUTED.to_vec() };
+    (@types [comparing] []) => { vec![$crate::values::Type::Scalar, $crate::values::Type::Integer] };
+    (@types [structural] [$kind:expr]) => { $kind.generic().to_vec() };
+    (@types $kind:tt $of:tt) => { $crate::values::Type::GENERIC.to_vec() };
     (@kind [] []) => { $crate::nodes::Kind::Plain };
     (@kind [generic] [$($type:ident),*]) => { $crate::nodes::Kind::Plain };
+    (@kind [every type] []) => { $crate::nodes::Kind::Plain };
+    (@kind [comparing] []) => { $crate::nodes::Kind::Plain };
     (@kind [per component] []) => { $crate::nodes::Kind::Plain };
     (@kind [request $effect:ident] []) => { $crate::nodes::Kind::Request($crate::effects::Effect::$effect) };
     (@kind [scope] [$($field:ident),+]) => { $crate::nodes::Kind::Scope(vec![$($crate::state::Field::$field),+]) };
@@ -377,11 +439,13 @@ macro_rules! node {
     (@annotate $input:ident under [$scope_and_input:expr]) => { $input.under($scope_and_input) };
     (@annotate $input:ident slope [$scope_and_input:expr]) => { $input.slope($scope_and_input) };
     (@annotate $input:ident list []) => { $input.list() };
+    (@annotate $input:ident unit [$unit:expr]) => { $input.measured_in($unit) };
+    (@annotate $input:ident soft [$range:expr]) => { $input.usually($range) };
     (@annotate $input:ident of [$choices:expr]) => { $input.one_of(&$choices) };
     (@annotate $input:ident $word:ident [$($value:expr)?]) => {
         compile_error!(concat!(
             "an input has no annotation `", stringify!($word $($value)?), "`: there are `in RANGE`, \
-             `avoid zero`, `avoid negative`, `when CONDITION`, `list`, `of [NAME, …]`, `under (SCOPE, INPUT)` and `slope (SCOPE, INPUT)`"
+             `soft RANGE`, `unit TEXT`, `avoid zero`, `avoid negative`, `when CONDITION`, `list`, `of [NAME, …]`, `under (SCOPE, INPUT)` and `slope (SCOPE, INPUT)`"
         ))
     };
     (@output $output:ident [$($doc:literal)+] $type:ident [$($word:ident $value:tt)*]) => {{

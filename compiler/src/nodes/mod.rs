@@ -65,6 +65,11 @@ nodes! {
     ranges {
         bias, gain, linear_step, ping_pong, range, remap, smoother_step, step, triangle_wave, wrap,
     }
+    /// Whole numbers of 32 bits: made of scalars, and computed exactly.
+    integers {
+        integer_absolute, integer_add, integer_clamp, integer_divide, integer_maximum, integer_minimum,
+        integer_modulo, integer_multiply, integer_negate, integer_subtract, to_integer,
+    }
     /// Values given once and used in many places.
     constants {
         constant_boolean, constant_color, constant_integer, constant_scalar, constant_vector,

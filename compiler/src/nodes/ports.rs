@@ -1,7 +1,7 @@
 //! The types of inputs and outputs as headers of nodes name them.
 #![expect(non_camel_case_types, reason = "they are spelled as in headers and graph files")]
 
-use crate::emit::{self, Color, Components, Emit, One, Sink, Vector, Words};
+use crate::emit::{self, Color, Components, Emit, One, Select, Sink, Vector, Words};
 use crate::values::Type;
 
 /// The type of an input: what it is to a body, and how it lies in words. `T` is what `generic`
@@ -16,10 +16,10 @@ pub trait Port: 'static {
     /// The value a body works on.
     type Value<E: Emit, T: Copy>: Copy;
     /// Reads it from word `at` on.
-    fn load<E: Emit, S: Shape>(words: &impl Words<E>, at: usize) -> Self::Value<E, S::Of<E>>;
+    fn load<E: Emit, S: Form>(words: &impl Words<E>, at: usize) -> Self::Value<E, S::Of<E>>;
     /// The value as a body over one component has it: of a generic one the component `number`.
     fn component<E: Emit, S: Shape>(
-        value: Self::Value<E, S::Of<E>>,
+        value: Self::Value<E, <S as Shape>::Of<E>>,
         number: usize,
     ) -> Self::Value<E, E::Real>;
 }
@@ -32,14 +32,55 @@ pub trait Port: 'static {
 )]
 pub trait Computed: Port {
     /// Writes it from word `at` on.
-    fn store<E: Emit, S: Shape>(
-        sink: &mut impl Sink<E>,
-        at: usize,
-        value: Self::Value<E, S::Of<E>>,
-    );
+    fn store<E: Emit, S: Form>(sink: &mut impl Sink<E>, at: usize, value: Self::Value<E, S::Of<E>>);
 }
 
-/// What `generic` may stand for.
+/// What `generic` may stand for in a node that computes nothing, but chooses or compares: each
+/// [`Shape`], and types that have no arithmetic of components.
+pub trait Form: Computed {
+    /// The value in a body.
+    type Of<E: Emit>: Copy + Select<E::Mask>;
+    /// Reads it from word `at` on.
+    fn take<E: Emit>(words: &impl Words<E>, at: usize) -> Self::Of<E>;
+    /// Writes it from word `at` on.
+    fn put<E: Emit>(sink: &mut impl Sink<E>, at: usize, value: Self::Of<E>);
+}
+
+impl<S: Shape> Form for S {
+    type Of<E: Emit> = <S as Shape>::Of<E>;
+    #[inline(always)]
+    fn take<E: Emit>(words: &impl Words<E>, at: usize) -> <S as Shape>::Of<E> {
+        S::read(words, at)
+    }
+    #[inline(always)]
+    fn put<E: Emit>(sink: &mut impl Sink<E>, at: usize, value: <S as Shape>::Of<E>) {
+        S::write(sink, at, value);
+    }
+}
+
+macro_rules! forms {
+    ($($port:ident, $e:ident => $of:ty;)+) => {$(
+        impl Form for $port {
+            type Of<$e: Emit> = $of;
+            #[inline(always)]
+            fn take<$e: Emit>(words: &impl Words<$e>, at: usize) -> $of {
+                <$port as Port>::load::<$e, $port>(words, at)
+            }
+            #[inline(always)]
+            fn put<$e: Emit>(sink: &mut impl Sink<$e>, at: usize, value: $of) {
+                <$port as Computed>::store::<$e, $port>(sink, at, value);
+            }
+        }
+    )+};
+}
+
+forms! {
+    integer, E => E::Int;
+    boolean, E => E::Mask;
+    transform, E => emit::Transform<E::Real>;
+}
+
+/// What `generic` stands for in a node that computes.
 #[diagnostic::on_unimplemented(
     message = "`generic` does not stand for `{Self}`",
     note = "it stands for scalar, vector and color"
@@ -56,7 +97,7 @@ pub trait Shape: Computed {
 }
 
 /// Words a port takes where `generic` stands for `S`.
-pub const fn width<P: Port, S: Shape>() -> usize {
+pub const fn width<P: Port, S: Form>() -> usize {
     if matches!(P::TYPE, Type::Generic) { S::WIDTH } else { P::WIDTH }
 }
 
@@ -74,7 +115,7 @@ macro_rules! ports {
             $(const FIXED: bool = $fixed;)?
             type Value<$e: Emit, T: Copy> = $value;
             #[inline(always)]
-            fn load<$e: Emit, S: Shape>($words: &impl Words<$e>, $at: usize) -> $value {
+            fn load<$e: Emit, S: Form>($words: &impl Words<$e>, $at: usize) -> $value {
                 $load
             }
             #[inline(always)]
@@ -85,7 +126,7 @@ macro_rules! ports {
 
         $(impl Computed for $port {
             #[inline(always)]
-            fn store<$e: Emit, S: Shape>($sink: &mut impl Sink<$e>, $to: usize, $stored: $value) {
+            fn store<$e: Emit, S: Form>($sink: &mut impl Sink<$e>, $to: usize, $stored: $value) {
                 $store
             }
         })?
@@ -154,19 +195,19 @@ impl Port for generic {
     const WIDTH: usize = 0;
     type Value<E: Emit, T: Copy> = T;
     #[inline(always)]
-    fn load<E: Emit, S: Shape>(words: &impl Words<E>, at: usize) -> S::Of<E> {
-        S::read(words, at)
+    fn load<E: Emit, S: Form>(words: &impl Words<E>, at: usize) -> S::Of<E> {
+        S::take(words, at)
     }
     #[inline(always)]
-    fn component<E: Emit, S: Shape>(value: S::Of<E>, number: usize) -> E::Real {
+    fn component<E: Emit, S: Shape>(value: <S as Shape>::Of<E>, number: usize) -> E::Real {
         value.to_words()[number]
     }
 }
 
 impl Computed for generic {
     #[inline(always)]
-    fn store<E: Emit, S: Shape>(sink: &mut impl Sink<E>, at: usize, value: S::Of<E>) {
-        S::write(sink, at, value);
+    fn store<E: Emit, S: Form>(sink: &mut impl Sink<E>, at: usize, value: S::Of<E>) {
+        S::put(sink, at, value);
     }
 }
 

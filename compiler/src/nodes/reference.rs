@@ -7,7 +7,8 @@ use crate::state::Iterated;
 use crate::values::Type;
 
 use super::{
-    Avoid, DefaultValue, Definition, FINITE, Implied, Kind, NOT_NEGATIVE, NodeLibrary, Signature,
+    Avoid, DefaultValue, Definition, FINITE, Implied, Input, Kind, NOT_NEGATIVE, NodeLibrary,
+    Signature,
 };
 
 /// Groups of nodes that are seen rather than read about.
@@ -75,6 +76,9 @@ fn write_node(page: &mut String, definition: &Definition) {
             let what = if slope { "how it changes" } else { "its value" };
             let _ = write!(doc, " Where `{of}` is connected, {what} under [`{scope}`](#{scope}).");
         }
+        if !input.unit.is_empty() {
+            let _ = write!(doc, " *In {}.*", input.unit);
+        }
         if input.fixed {
             doc.push_str(" *Known before shading.*");
         }
@@ -87,10 +91,15 @@ fn write_node(page: &mut String, definition: &Definition) {
             page,
             "| `{}` | {} | {} | {} | {doc} |",
             input.name,
-            cell(input.value_type.name()),
+            cell(&type_name(definition, input.value_type)),
             default(&input.default),
-            range(&input.range, input.value_type.is_numeric()),
+            usual_range(input),
         );
+    }
+    if let Some(list) = &signature.or_list {
+        let (name, doc) = (&list.name, cell(&list.doc));
+        let of = cell(&type_name(definition, list.value_type));
+        let _ = writeln!(page, "| `{name}` | list of {of} |  |  | {doc} |");
     }
     page.push_str("\n| output | type | range | meaning |\n| --- | --- | --- | --- |\n");
     for output in &signature.outputs {
@@ -98,7 +107,7 @@ fn write_node(page: &mut String, definition: &Definition) {
             page,
             "| `{}` | {} | {} | {} |",
             output.name,
-            cell(output.value_type.name()),
+            cell(&type_name(definition, output.value_type)),
             range(&output.range, output.value_type.is_numeric()),
             cell(&output.doc),
         );
@@ -130,10 +139,31 @@ fn kind(signature: &Signature) -> String {
 fn types(definition: &Definition) -> String {
     let types: Vec<&str> =
         definition.overloads.iter().filter_map(|form| Some(form.generic?.name())).collect();
-    if types.is_empty() || types.len() == Type::GENERIC.len() {
+    // Where there are others, each input and output tells.
+    let told = !definition.signature.generic.iter().all(|of| Type::GENERIC.contains(of));
+    if types.is_empty() || types.len() == Type::GENERIC.len() || told {
         return String::new();
     }
     format!("\nIts values are of the types {} only.\n", types.join(" and "))
+}
+
+/// The type of an input or an output; what `generic` stands for where that is more than numbers, vectors
+/// and colours.
+fn type_name(definition: &Definition, value_type: Type) -> String {
+    let generic = &definition.signature.generic;
+    if value_type != Type::Generic || generic.iter().all(|of| Type::GENERIC.contains(of)) {
+        return value_type.name().into();
+    }
+    generic.iter().map(|of| of.name()).collect::<Vec<_>>().join(" | ")
+}
+
+/// The range, and what is usual within it.
+fn usual_range(input: &Input) -> String {
+    let range_of = |of| range(of, input.value_type.is_numeric());
+    match input.narrower() {
+        Some(soft) => format!("{}; usually {}", range_of(&input.range), range_of(soft)),
+        None => range_of(&input.range),
+    }
 }
 
 fn cell(text: &str) -> String {

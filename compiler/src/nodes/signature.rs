@@ -109,6 +109,10 @@ pub struct Input {
     pub default: DefaultValue,
     /// Values that may arrive, per component (colours: r, g and b).
     pub range: RangeInclusive<f64>,
+    /// What its values are measured in, as `radians`; empty where nothing is to be said.
+    pub unit: Name,
+    /// Values that are usual, within the range; the range where nothing is to be said.
+    pub soft_range: RangeInclusive<f64>,
     /// What should not arrive, though it is within the range.
     pub avoid: Option<Avoid>,
     /// Demanded only where a guard over earlier inputs holds.
@@ -157,6 +161,8 @@ impl Input {
             value_type,
             default: default.into(),
             range: FINITE,
+            unit: "".into(),
+            soft_range: FINITE,
             avoid: None,
             guarded: false,
             scoped: false,
@@ -198,6 +204,22 @@ impl Input {
     /// By default how another input changes with the step of a scope of this node type.
     pub fn slope(self, (scope, of): (&'static str, &'static str)) -> Self {
         Self { implied: Some(Implied { scope, of, slope: true }), ..self }
+    }
+
+    /// In this unit.
+    pub fn measured_in(self, unit: impl Into<Name>) -> Self {
+        Self { unit: unit.into(), ..self }
+    }
+
+    /// With values usually in this range.
+    pub fn usually(self, soft_range: RangeInclusive<f64>) -> Self {
+        Self { soft_range, ..self }
+    }
+
+    /// Usual values, where they are narrower than the range.
+    pub fn narrower(&self) -> Option<&RangeInclusive<f64>> {
+        let (soft, range) = (&self.soft_range, &self.range);
+        (soft.start() > range.start() || soft.end() < range.end()).then_some(soft)
     }
 
     /// With this to be avoided.
@@ -271,6 +293,16 @@ pub enum Kind {
     List(ListForm),
 }
 
+impl Kind {
+    /// What [`Type::Generic`] stands for in a node of this kind that has no body.
+    pub fn generic(&self) -> &'static [Type] {
+        match self {
+            Kind::List(ListForm::Element) => &Type::COMPUTED,
+            _ => &Type::GENERIC,
+        }
+    }
+}
+
 /// What a node over a list stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ListForm {
@@ -299,6 +331,11 @@ pub struct Signature {
     pub outputs: Vec<Output>,
     /// How it is evaluated.
     pub kind: Kind,
+    /// What [`Type::Generic`] may stand for.
+    pub generic: Vec<Type>,
+    /// A list that may be given in place of the inputs it has: then the node is the `element` of that list
+    /// at its first input.
+    pub or_list: Option<Input>,
 }
 
 impl Signature {
@@ -310,6 +347,22 @@ impl Signature {
     /// Position of the output called `name`.
     pub fn output(&self, name: &str) -> Option<usize> {
         self.outputs.iter().position(|output| output.name == name)
+    }
+
+    /// Every input there is to give: those it has, and the list in place of them.
+    pub fn all_inputs(&self) -> impl Iterator<Item = &Input> {
+        self.inputs.iter().chain(&self.or_list)
+    }
+
+    /// The types an input or output of this type may have.
+    pub fn types_of(&self, value_type: Type) -> &[Type] {
+        match value_type {
+            Type::Generic => &self.generic,
+            _ => Type::ALL
+                .iter()
+                .position(|&of| of == value_type)
+                .map_or(&[], |at| &Type::ALL[at..=at]),
+        }
     }
 
     /// Whether one of its inputs is [`Type::Generic`].

@@ -70,7 +70,20 @@ fn sources(definitions: &mut Map<String, Value>) {
         ("light", vec![light.clone()]),
         ("lights", vec![json!({ "type": "array", "items": light })]),
         ("shader", vec![null]),
-        ("generic", vec![number_here, list(3, 4), reference("color_of_space")]),
+        (
+            "generic",
+            vec![number_here.clone(), list(3, 4), reference("color_of_space")],
+        ),
+        (
+            "computed",
+            vec![
+                json!({ "type": "boolean" }),
+                number_here,
+                list(3, 4),
+                list(16, 16),
+                reference("color_of_space"),
+            ],
+        ),
     ] {
         definitions.insert(format!("{name}_literal"), json!({ "anyOf": literal }));
         let own = json!({ "$ref": format!("#/definitions/{name}_literal") });
@@ -89,8 +102,9 @@ fn sources(definitions: &mut Map<String, Value>) {
     definitions.insert("where".into(), names);
 }
 
-fn source_name(value_type: Type) -> &'static str {
+fn source_name(signature: &Signature, value_type: Type) -> &'static str {
     match value_type {
+        Type::Generic if signature.generic.contains(&Type::Boolean) => "computed",
         Type::Generic => "generic",
         other => other.name(),
     }
@@ -211,9 +225,8 @@ fn node(library: &NodeLibrary) -> Value {
         names.push(&*signature.name);
         docs.push(signature.doc.as_str());
         let inputs: Map<String, Value> = signature
-            .inputs
-            .iter()
-            .map(|input| (input.name.to_string(), input_schema(input)))
+            .all_inputs()
+            .map(|input| (input.name.to_string(), input_schema(signature, input)))
             .collect();
         let required = required_inputs(signature);
         let mut of_type =
@@ -249,14 +262,18 @@ fn required_inputs(signature: &Signature) -> Vec<&str> {
     required.map(|input| &*input.name).collect()
 }
 
-fn input_schema(input: &Input) -> Value {
+fn input_schema(signature: &Signature, input: &Input) -> Value {
     let default = match &input.default {
         DefaultValue::Required => String::new(),
         DefaultValue::Literal(_) => " Has a default.".into(),
         DefaultValue::State(field) => format!(" By default the state's {}.", field.name()),
         DefaultValue::Node(name) => format!(" By default what `{name}` yields."),
     };
-    let doc = format!("{}{default}", input.doc);
+    let unit = match &*input.unit {
+        "" => String::new(),
+        unit => format!(" In {unit}."),
+    };
+    let doc = format!("{}{unit}{default}", input.doc);
     if input.fixed {
         let (least, most) = (*input.range.start() as i64, *input.range.end() as i64);
         let number = json!({ "type": "integer", "minimum": least, "maximum": most });
@@ -268,7 +285,7 @@ fn input_schema(input: &Input) -> Value {
         return json!({ "anyOf": given, "description": doc });
     }
     if input.list {
-        return described(&format!("{}_list", source_name(input.value_type)), &doc);
+        return described(&format!("{}_list", source_name(signature, input.value_type)), &doc);
     }
-    described(source_name(input.value_type), &doc)
+    described(source_name(signature, input.value_type), &doc)
 }

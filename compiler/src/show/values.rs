@@ -49,7 +49,7 @@ pub(super) fn literal(literal: &Literal) -> Value {
 /// What stands in where nothing is given.
 pub(super) fn default(default: &DefaultValue, value_type: Type) -> Value {
     match default {
-        DefaultValue::Literal(value) => match value.converted_to(value_type) {
+        DefaultValue::Literal(value) => match value.as_default(value_type) {
             Some(value) => literal(&value),
             None => literal(value),
         },

@@ -204,7 +204,8 @@ impl<'a> Views<'a> {
             Binding::Node { node, output } => Resolved::Node { view: *node, output: *output },
             Binding::Default => match &self.signature(view).inputs[input].default {
                 DefaultValue::Literal(literal) => {
-                    Resolved::Literal(repeated(literal, self.input_type(view, input)))
+                    let to = self.input_type(view, input);
+                    Resolved::Literal(literal.as_default(to).unwrap_or_else(|| literal.clone()))
                 }
                 DefaultValue::State(field) => Resolved::State(*field),
                 DefaultValue::Node(implied) => {
@@ -214,14 +215,6 @@ impl<'a> Views<'a> {
                 DefaultValue::Required => Resolved::Literal(Literal::Lights(Vec::new())),
             },
         }
-    }
-}
-
-/// A scalar default of a generic input, repeated over the components.
-fn repeated(literal: &Literal, to: Type) -> Literal {
-    match (literal, to) {
-        (Literal::Scalar(x), Type::Vector) => Literal::Vector([*x; 3]),
-        _ => literal.converted_to(to).unwrap_or_else(|| literal.clone()),
     }
 }
 

@@ -200,6 +200,9 @@ pub fn nodes_stay_in_their_sets(subjects: &Subjects) {
             let mut types: Vec<Type> = Vec::new();
             for input in &definition.signature.inputs {
                 let (word, width) = match (input.value_type, overload.generic) {
+                    (Type::Generic, Some(generic @ (Type::Integer | Type::Boolean))) => {
+                        (generic, 1)
+                    }
                     (Type::Generic, Some(generic)) => (Type::Scalar, generic.width()),
                     (Type::Vector | Type::Color, _) => (Type::Scalar, input.value_type.width()),
                     (other, _) => (other, other.width()),

@@ -91,6 +91,24 @@ impl Literal {
             _ => return None,
         })
     }
+
+    /// What the default of a generic input is where that is of type `to`: a number is repeated over the
+    /// components of a vector, as a transform it scales, and as a boolean it tells whether it is not 0.
+    pub fn as_default(&self, to: Type) -> Option<Literal> {
+        match (self, to) {
+            (Literal::Scalar(x), Type::Vector) => Some(Literal::Vector([*x; 3])),
+            (Literal::Scalar(x), Type::Integer) => Some(Literal::Integer(*x as i32)),
+            (Literal::Scalar(x), Type::Boolean) => Some(Literal::Boolean(*x != 0.0)),
+            (Literal::Scalar(x), Type::Transform) => {
+                Some(Literal::Transform(std::array::from_fn(|at| match at {
+                    0 | 5 | 10 => *x,
+                    15 => 1.0,
+                    _ => 0.0,
+                })))
+            }
+            _ => self.converted_to(to),
+        }
+    }
 }
 
 /// As it is written in a graph file.
@@ -177,6 +195,17 @@ mod tests {
             for (other, b) in texts.iter().enumerate() {
                 assert_eq!(words(a) == words(b), at == other, "{a:?} {b:?}");
             }
+        }
+    }
+
+    #[test]
+    fn a_number_is_a_default_of_every_type_that_is_computed() {
+        let of = |x: f32, to: Type| Literal::Scalar(x).as_default(to).expect("a default");
+        assert_eq!(of(1.0, Type::Transform), Literal::IDENTITY);
+        assert_eq!(of(0.0, Type::Boolean), Literal::Boolean(false));
+        assert_eq!(of(1.0, Type::Integer), Literal::Integer(1));
+        for to in Type::COMPUTED {
+            assert_eq!(of(0.5, to).value_type(), to);
         }
     }
 

@@ -26,7 +26,7 @@ pub enum Type {
     Lights,
     /// A shader that is called for its colour: an output of a node, not its value.
     Shader,
-    /// The one type a generic node is used with: scalar, vector or color.
+    /// The one type a generic node is used with: scalar, vector or color, in some nodes others.
     Generic,
 }
 
@@ -57,11 +57,11 @@ impl Type {
         }
     }
 
-    /// The types whose values nodes compute.
+    /// The types whose values nodes compute, which is what [`Type::Generic`] stands for in nodes that choose.
     pub const COMPUTED: [Type; 6] =
         [Type::Scalar, Type::Integer, Type::Boolean, Type::Color, Type::Vector, Type::Transform];
 
-    /// What [`Type::Generic`] may stand for.
+    /// What [`Type::Generic`] stands for where a node does not say.
     pub const GENERIC: [Type; 3] = [Type::Scalar, Type::Vector, Type::Color];
 
     /// The name in graph files.

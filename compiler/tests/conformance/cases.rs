@@ -167,4 +167,5 @@ cases! { guarded, false:
     atan2_or_zero |y: real, x: real| -> real conventions::atan2_or_zero(y, x);
     modulo_or_zero |x: real, d: real| -> real conventions::modulo_or_zero(x, d);
     int_divide_or_zero |n: int, d: int| -> int conventions::int_divide_or_zero(n, d);
+    int_modulo_or_zero |n: int, d: int| -> int conventions::int_modulo_or_zero(n, d);
 }

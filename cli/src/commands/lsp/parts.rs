@@ -4,6 +4,7 @@ use std::path::Path;
 
 use phenomenon_compiler::document::{Document, Value};
 use phenomenon_compiler::nodes::{FINITE, Input, NodeLibrary, Signature};
+use phenomenon_compiler::values::Type;
 
 use super::file::OpenFile;
 use super::open_files::OpenFiles;
@@ -83,19 +84,13 @@ pub fn phenomenon(file: &OpenFile, named: &str, files: &OpenFiles) -> Option<Doc
 fn of_signature(signature: &Signature) -> Parts {
     let of_input = |input: &Input| Part {
         name: input.name.to_string(),
-        of: input.value_type.name().into(),
-        doc: if !input.choices.is_empty() {
-            format!("{}\n\nOne of `{}`", input.doc, input.choices.join("`, `"))
-        } else if input.range == FINITE {
-            input.doc.clone()
-        } else {
-            format!("{}\n\nRange: {} to {}", input.doc, input.range.start(), input.range.end())
-        },
+        of: types(signature, input.value_type),
+        doc: doc_of(input),
         choices: input.choices.iter().map(|&choice| choice.to_owned()).collect(),
     };
     let outputs = signature.outputs.iter().map(|output| Part {
         name: output.name.to_string(),
-        of: output.value_type.name().into(),
+        of: types(signature, output.value_type),
         doc: output.doc.clone(),
         choices: Vec::new(),
     });
@@ -103,8 +98,33 @@ fn of_signature(signature: &Signature) -> Parts {
         title: format!("**{}** ({})", signature.name, signature.group),
         doc: signature.doc.clone(),
         source: signature.source.into(),
-        inputs: signature.inputs.iter().map(of_input).collect(),
+        inputs: signature.all_inputs().map(of_input).collect(),
         outputs: outputs.collect(),
+    }
+}
+
+/// The types an input or an output of a node may have.
+fn types(signature: &Signature, value_type: Type) -> String {
+    signature.types_of(value_type).iter().map(|of| of.name()).collect::<Vec<_>>().join(" | ")
+}
+
+/// What an input means, which values are usual and which it takes, and what they are measured in.
+fn doc_of(input: &Input) -> String {
+    let mut facts = Vec::new();
+    if !input.choices.is_empty() {
+        facts.push(format!("One of `{}`", input.choices.join("`, `")));
+    } else if input.range != FINITE {
+        facts.push(format!("Range: {} to {}", input.range.start(), input.range.end()));
+    }
+    if let Some(usual) = input.narrower() {
+        facts.push(format!("Usually {} to {}", usual.start(), usual.end()));
+    }
+    if !input.unit.is_empty() {
+        facts.push(format!("Unit: {}", input.unit));
+    }
+    match facts.is_empty() {
+        true => input.doc.clone(),
+        false => format!("{}\n\n{}", input.doc, facts.join(". ")),
     }
 }
 

@@ -60,13 +60,20 @@ pub fn node(node: &Signature) -> String {
         text.push_str("\nInputs\n");
     }
     for input in &node.inputs {
-        let _ = writeln!(text, "  {}: {}{}", input.name, input.value_type.name(), facts(input));
+        let of = types(node, input.value_type);
+        let _ = writeln!(text, "  {}: {of}{}", input.name, facts(input));
         paragraphs(&mut text, 6, &input.doc);
+    }
+    if let Some(list) = &node.or_list {
+        let of = types(node, list.value_type);
+        let _ = writeln!(text, "  or {}: list of {of}", list.name);
+        paragraphs(&mut text, 6, &list.doc);
     }
     text.push_str("\nOutputs\n");
     for output in &node.outputs {
         let range = range(output.value_type, *output.range.start(), *output.range.end());
-        let _ = writeln!(text, "  {}: {}{range}", output.name, output.value_type.name());
+        let of = types(node, output.value_type);
+        let _ = writeln!(text, "  {}: {of}{range}", output.name);
         paragraphs(&mut text, 6, &output.doc);
     }
     // Phenomena tell theirs in the doc.
@@ -88,6 +95,10 @@ pub fn phenomenon(graph: &Graph) -> String {
         let _ = writeln!(text, "  {}: {}", preset.name, values.join(", "));
     }
     text
+}
+
+fn types(node: &Signature, value_type: Type) -> String {
+    node.types_of(value_type).iter().map(|of| of.name()).collect::<Vec<_>>().join(" | ")
 }
 
 fn signature(node: &Signature) -> String {
@@ -119,6 +130,12 @@ fn kind(kind: &Kind) -> Option<String> {
 fn facts(input: &Input) -> String {
     let mut facts = default(&input.default);
     facts.push_str(&range(input.value_type, *input.range.start(), *input.range.end()));
+    if let Some(soft) = input.narrower() {
+        facts.push_str(&format!(", usually {} to {}", soft.start(), soft.end()));
+    }
+    if !input.unit.is_empty() {
+        facts.push_str(&format!(", in {}", input.unit));
+    }
     if !input.choices.is_empty() {
         facts.push_str(&format!(", one of {}", input.choices.join(", ")));
     }

@@ -68,13 +68,16 @@ fn described(node: &Signature) -> Value {
         }
         Kind::Plain | Kind::Fields(_) | Kind::Loop(..) | Kind::List(_) => {}
     }
-    object.insert("inputs".into(), node.inputs.iter().map(input).collect());
-    object.insert("outputs".into(), node.outputs.iter().map(output).collect());
+    object.insert("inputs".into(), node.inputs.iter().map(|of| input(node, of)).collect());
+    if let Some(list) = &node.or_list {
+        object.insert("or_list".into(), input(node, list));
+    }
+    object.insert("outputs".into(), node.outputs.iter().map(|of| output(node, of)).collect());
     Value::Object(object)
 }
 
-fn input(input: &Input) -> Value {
-    let mut object = socket(&input.name, &input.doc, input.value_type);
+fn input(node: &Signature, input: &Input) -> Value {
+    let mut object = socket(&input.name, &input.doc, node.types_of(input.value_type));
     let default = match &input.default {
         DefaultValue::Required => None,
         DefaultValue::Literal(literal) => Some(value(literal)),
@@ -87,6 +90,13 @@ fn input(input: &Input) -> Value {
     }
     insert_range(&mut object, input.value_type, *input.range.start(), *input.range.end());
     // Left out where it says nothing, as limits are.
+    if let Some(soft) = input.narrower() {
+        object.insert("soft_min".into(), (*soft.start()).into());
+        object.insert("soft_max".into(), (*soft.end()).into());
+    }
+    if !input.unit.is_empty() {
+        object.insert("unit".into(), (*input.unit).into());
+    }
     if input.fixed {
         object.insert("fixed".into(), true.into());
     }
@@ -98,17 +108,14 @@ fn input(input: &Input) -> Value {
     Value::Object(object)
 }
 
-fn output(output: &Output) -> Value {
-    let mut object = socket(&output.name, &output.doc, output.value_type);
+fn output(node: &Signature, output: &Output) -> Value {
+    let mut object = socket(&output.name, &output.doc, node.types_of(output.value_type));
     insert_range(&mut object, output.value_type, *output.range.start(), *output.range.end());
     Value::Object(object)
 }
 
-fn socket(name: &str, doc: &str, value_type: Type) -> Map<String, Value> {
-    let types: Value = match value_type {
-        Type::Generic => value_type.name().split(" | ").collect(),
-        other => vec![other.name()].into(),
-    };
+fn socket(name: &str, doc: &str, types: &[Type]) -> Map<String, Value> {
+    let types: Value = types.iter().map(|of| of.name()).collect();
     let mut object = Map::new();
     object.insert("name".into(), name.into());
     object.insert("types".into(), types);

@@ -44,16 +44,14 @@ pub fn unknown(value_type: Type, into: &mut Vec<Value>) {
     into.extend((0..value_type.width()).map(|_| Value::unknown(word_type(value_type))));
 }
 
-/// The words of a literal as an input of this type holds them; a number is repeated over the
-/// components of a vector.
+/// The words of a literal as an input of this type holds them, or of what a node takes by default.
 pub fn literal(literal: &Literal, to: Type, into: &mut Vec<Value>) {
     let words = match (literal, to) {
         (Literal::Scalar(x), Type::Scalar) => {
             into.push(Value::constant(Type::Scalar, x.to_bits()));
             return;
         }
-        (Literal::Scalar(x), Type::Vector) => vec![x.to_bits(); 3],
-        _ => match literal.converted_to(to) {
+        _ => match literal.as_default(to) {
             Some(literal) => literal.words(),
             None => return unknown(to, into),
         },

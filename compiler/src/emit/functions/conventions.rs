@@ -84,9 +84,38 @@ pub fn modulo_or_zero<R: Real>(x: R, divisor: R) -> R {
     inside.select(negative.select(-rest, rest), zero)
 }
 
-/// Integer quotient rounded down, and 0 where the divisor is zero. Exact for |n| up to 2^24.
+/// Integer quotient rounded down, and 0 where the divisor is zero. Exact for all integers; the one that
+/// is too large, -2^31 / -1, wraps to -2^31.
+///
+/// Numbers have 24 digits, so a quotient of numbers is off by up to 2^-22 of itself: it is taken of the
+/// absolute values, then of what that leaves, and then at most one is wanting. Each remainder lies between
+/// -2^31 and 2^31, though products on the way wrap.
 #[inline(always)]
 pub fn int_divide_or_zero<I: Int>(n: I, divisor: I) -> I {
-    let quotient = (n.to_real() / divisor.to_real()).floor().to_int();
-    divisor.equal(divisor.same(0)).select(divisor.same(0), quotient)
+    let (zero, one) = (n.same(0), n.same(1));
+    let (of_n, of_divisor) = (n.less(zero), divisor.less(zero));
+    // 2^31 is the bits of -2^31, whose absolute value as a number is right.
+    let size = of_n.select(zero - n, n);
+    let by = of_divisor.select(zero - divisor, divisor);
+    let by_real = by.to_real().absolute();
+    let first = (size.to_real().absolute() / by_real).to_int();
+    let left = size - first * by;
+    let second = first + (left.to_real() / by_real).floor().to_int();
+    let left = size - second * by;
+    let is_over = !left.less(by) & !by.less(zero);
+    let is_under = left.less(zero);
+    let quotient = is_under.select(second - one, is_over.select(second + one, second));
+    let left = is_under.select(left + by, is_over.select(left - by, left));
+    // Of two signs the quotient is negative, and rounded down is away from zero.
+    let down = left.equal(zero).select(zero - quotient, zero - quotient - one);
+    let signed = (of_n ^ of_divisor).select(down, quotient);
+    divisor.equal(zero).select(zero, signed)
+}
+
+/// Floored remainder `n - d floor(n / d)` of integers: between 0 and `d`, of the divisor's sign, and exact.
+/// 0 where the divisor is zero.
+#[inline(always)]
+pub fn int_modulo_or_zero<I: Int>(n: I, divisor: I) -> I {
+    let rest = n - int_divide_or_zero(n, divisor) * divisor;
+    divisor.equal(n.same(0)).select(n.same(0), rest)
 }

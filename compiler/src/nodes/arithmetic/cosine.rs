@@ -6,7 +6,7 @@ node! {
     source "",
     inputs {
         /// The angle in radians.
-        input: generic = 0.0;
+        input: generic = 0.0, unit "radians";
     }
     outputs {
         /// The value.

@@ -12,11 +12,11 @@ node! {
     source "Smith 1978, Color Gamut Transform Pairs",
     inputs {
         /// Hue in turns.
-        hue: scalar = 0.0;
+        hue: scalar = 0.0, unit "turns", soft UNIT;
         /// Saturation: 0 grey, 1 pure.
         saturation: scalar = 1.0, in UNIT;
         /// Value: the brightest component.
-        value: scalar = 1.0, in NOT_NEGATIVE;
+        value: scalar = 1.0, in NOT_NEGATIVE, soft UNIT;
     }
     outputs {
         /// The colour.

@@ -14,9 +14,9 @@ node! {
     source "Born and Wolf, Principles of Optics, 1.5",
     inputs {
         /// Index of refraction on the side the light comes from.
-        ior_in: scalar = 1.0, in 0.0..=100.0;
+        ior_in: scalar = 1.0, in 0.0..=100.0, soft 1.0..=2.5;
         /// Index of refraction beyond the boundary.
-        ior_out: scalar = 1.5, in 0.0..=100.0;
+        ior_out: scalar = 1.5, in 0.0..=100.0, soft 1.0..=2.5;
         /// Cosine between the light's direction and the normal, clamped to 0..1.
         cosine: scalar = 1.0, in -1.0..=1.0;
     }

@@ -11,7 +11,7 @@ node! {
     source "mental ray base shaders, mib_refraction_index",
     inputs {
         /// Index of refraction of the material.
-        ior: scalar = 1.5, in 0.0..=100.0;
+        ior: scalar = 1.5, in 0.0..=100.0, soft 1.0..=2.5;
         /// Whether the surface was hit from inside.
         inside: boolean = state(Field::InvNormal);
         /// Index of the medium the ray enters from.

@@ -2,8 +2,8 @@ use crate::nodes::{Kind, ListForm, required};
 
 node! {
     #[doc = "One value of a list by its number, counted from 0; only the one chosen is evaluated, and \
-             it passes unchanged to the bit. A number outside the list takes the nearest value. As \
-             `select` nodes in a row."]
+             it passes unchanged to the bit. A number outside the list takes the nearest value. The \
+             values are of any type that nodes compute. As `select` nodes in a row."]
     element in lists structural [Kind::List(ListForm::Element)],
     source "",
     inputs {

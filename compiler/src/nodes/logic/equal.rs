@@ -1,14 +1,13 @@
-use crate::emit::Real;
-
 node! {
-    /// Whether `a == b`, to the last bit; false where either is NaN. -0 equals 0.
-    equal in logic,
+    /// Whether `a == b`, to the last bit; false where either is NaN. -0 equals 0. Integers are compared as
+    /// integers, exactly; an integer and a scalar as scalars.
+    equal in logic comparing,
     source "",
     inputs {
         /// Left number.
-        a: scalar = 0.0;
+        a: generic = 0.0;
         /// Right number.
-        b: scalar = 0.0;
+        b: generic = 0.0;
     }
     outputs {
         /// Whether it holds.
@@ -30,6 +29,15 @@ mod tests {
             (f32::INFINITY, f32::INFINITY, true),
         ] {
             assert_eq!(truth!(a = a, b = b => result), holds, "{a:e} and {b:e}");
+        }
+    }
+
+    #[test]
+    fn integers_keep_all_their_digits() {
+        for (a, b) in [(16_777_216, 16_777_217), (i32::MIN, i32::MAX), (-1, 0), (7, 7)] {
+            for (a, b) in [(a, b), (b, a)] {
+                assert_eq!(truth!(a = a, b = b => result), a == b, "{a} and {b}");
+            }
         }
     }
 }

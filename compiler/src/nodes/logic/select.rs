@@ -1,8 +1,10 @@
 use crate::emit::Mask;
 
 node! {
-    /// One of two values; only the one chosen is evaluated, and it passes unchanged to the bit.
-    select in logic generic,
+    /// One of two values; only the one chosen is evaluated, and it passes unchanged to the bit. The
+    /// values are of any type that nodes compute. Strings, textures and lights are known before shading,
+    /// and not chosen among: choose among what is made of them.
+    select in logic every type,
     source "",
     inputs {
         /// What decides.
@@ -28,6 +30,22 @@ mod tests {
         assert_eq!(chosen.iter().map(|x| x.to_bits()).collect::<Vec<_>>(), a.map(f32::to_bits));
         assert_eq!(numbers!(condition = false, if_true = b, if_false = a => result), a);
         assert_eq!(number!(condition = true, if_true = 3.0 => result), 3.0);
+    }
+
+    #[test]
+    fn passes_what_is_no_number_of_components() {
+        use crate::values::Literal;
+        assert_eq!(number!(condition = true, if_true = i32::MIN => result).to_bits(), 1 << 31);
+        assert!(truth!(condition = false, if_true = false, if_false = true => result));
+        assert!(!truth!(condition = false, if_true = true => result), "by default false");
+        let moved: [f32; 16] =
+            std::array::from_fn(|at| if at % 4 == 3 { (at / 15) as f32 } else { at as f32 });
+        for condition in [true, false] {
+            let given = Literal::Transform(moved);
+            let chosen = numbers!(condition = condition, if_true = given, if_false = Literal::IDENTITY => result);
+            let Literal::Transform(identity) = Literal::IDENTITY else { unreachable!() };
+            assert_eq!(chosen, if condition { moved } else { identity });
+        }
     }
 
     #[test]

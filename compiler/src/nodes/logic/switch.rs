@@ -1,9 +1,11 @@
 use crate::emit::{Int, Mask};
 
 node! {
-    /// One of four values by number; only the one chosen is evaluated, and it passes unchanged to the
-    /// bit. A number outside 0..3 takes the nearest.
-    switch in logic generic,
+    /// One of several values by number; only the one chosen is evaluated, and it passes unchanged to the
+    /// bit. A number past the cases takes the nearest. Four cases have names; as `cases` there may be any
+    /// number of them, and the node is the `element` of that list. The values are of any type that nodes
+    /// compute.
+    switch in logic every type,
     source "",
     inputs {
         /// Which one.
@@ -16,6 +18,10 @@ node! {
         case_2: generic = 0.0, when i.index.equal(e.int(2));
         /// The value of index 3 and above.
         case_3: generic = 0.0, when e.int(2).less(i.index);
+    }
+    or {
+        /// The values of index 0, 1, 2 …, in place of the four.
+        cases;
     }
     outputs {
         /// The value chosen, with its alpha.

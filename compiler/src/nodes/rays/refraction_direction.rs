@@ -16,9 +16,9 @@ node! {
     source "mental ray manual, mi_refraction_dir",
     inputs {
         /// Index of refraction on the side the ray comes from.
-        ior_in: scalar = 1.0, in 0.0..=100.0;
+        ior_in: scalar = 1.0, in 0.0..=100.0, soft 1.0..=2.5;
         /// Index of refraction beyond the boundary.
-        ior_out: scalar = 1.5, in 0.0..=100.0;
+        ior_out: scalar = 1.5, in 0.0..=100.0, soft 1.0..=2.5;
         /// Direction towards the surface, unit length.
         direction: vector = state(Field::Direction), in -1.0..=1.0;
         /// Shading normal, unit length, on the side the ray comes from.

@@ -1,5 +1,5 @@
 use crate::emit::{Color, Mask, Real};
-use crate::nodes::finite::INTENSITY;
+use crate::nodes::finite::{INTENSITY, UNIT};
 use crate::nodes::{NOT_NEGATIVE, WHITE, node, state};
 use crate::state::Field;
 
@@ -18,7 +18,7 @@ node! {
         /// Colour of the light that arrives.
         light: color = node("light_color"), in INTENSITY, when i.normal.dot(i.direction).greater(e.real(0.0));
         /// Colour of the surface.
-        color: color = WHITE, in INTENSITY, when i.normal.dot(i.direction).greater(e.real(0.0));
+        color: color = WHITE, in INTENSITY, soft UNIT, when i.normal.dot(i.direction).greater(e.real(0.0));
     }
     outputs {
         /// The light reflected.

@@ -8,7 +8,7 @@ use crate::kernels::BodyForms;
 use crate::nodes::{DefaultValue, Kind, Output};
 use crate::specialise::mix_key;
 use crate::state::{Field, State};
-use crate::values::{Literal, Type};
+use crate::values::Type;
 
 use super::nodes::{Naive, TooLong};
 use super::surroundings::{Inside, Surroundings, SurroundingsId};
@@ -90,11 +90,8 @@ impl Evaluation<'_> {
             return self.given(&of.inputs[input], to, at);
         }
         match &declared.default {
-            DefaultValue::Literal(Literal::Scalar(x)) if to == Type::Vector => {
-                Ok(vec![x.to_bits(); 3])
-            }
             DefaultValue::Literal(literal) => {
-                Ok(converted(literal.words(), literal.value_type(), to))
+                Ok(literal.as_default(to).expect("a default is of the input's type").words())
             }
             DefaultValue::State(field) => {
                 Ok(converted(self.field(*field, at)?, field.value_type(), to))
