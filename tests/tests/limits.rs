@@ -6,6 +6,8 @@
 mod pictures;
 #[path = "limits/reports.rs"]
 mod reports;
+#[path = "limits/turns.rs"]
+mod turns;
 
 use std::fmt::Write;
 use std::fs::File;
@@ -14,7 +16,7 @@ use std::sync::Arc;
 
 use phenomenon_compiler::check::{
     Checked, MAX_FILE_DEPTH, MAX_INNER, MAX_NAME, MAX_NODES, MAX_OUTPUTS, MAX_PARTS, MAX_SHADERS,
-    check_graph, read_graph_file,
+    MAX_TURNS, check_graph, read_graph_file,
 };
 use phenomenon_compiler::diagnostics::grouped;
 use phenomenon_compiler::document::{
@@ -49,7 +51,7 @@ const fn limit(
     Limit { what, most, said, past }
 }
 
-const GRAPHS: [Limit; 15] = [
+const GRAPHS: [Limit; 16] = [
     limit("bytes of a graph or a scene", MAX_FILE_BYTES as u64, "`file-too-large`", huge_file),
     limit("values in a file", MAX_VALUES as u64, "`file-too-large`", many_values),
     limit("nesting of lists and objects", MAX_DEPTH as u64, "`too-deep`", deep_nesting),
@@ -86,6 +88,12 @@ const GRAPHS: [Limit; 15] = [
     ),
     limit("outputs of a phenomenon", MAX_OUTPUTS as u64, "`too-many-parts`", many_outputs),
     limit("phenomena within a file", MAX_INNER as u64, "`too-many-parts`", many_phenomena),
+    limit(
+        "turns of the maps and folds of a file",
+        MAX_TURNS as u64,
+        "`too-many-nodes`",
+        turns::many_turns,
+    ),
     limit("phenomena within one another", MAX_FILE_DEPTH as u64, "`recursion`", deep_files),
     limit(
         "evaluations of one root, copies in nested scopes included",

@@ -197,6 +197,8 @@ pub(super) fn list<'d>(
             }
         },
         SourceKind::Literal => format!("{what} takes a list, not {}", value.describe()),
+        // As its type did, or the map it is.
+        SourceKind::Node(node, _) if draft.nodes[node].node_type.is_none() => return broken,
         // Its declaration made a finding.
         SourceKind::Parameter(at) if draft.parameters[at].value_type.is_none() => return broken,
         SourceKind::Parameter(_) | SourceKind::Node(..) => {

@@ -1,5 +1,6 @@
 //! The checker as a whole.
 
+use std::borrow::Cow;
 use std::path::Path;
 use std::rc::Rc;
 
@@ -13,6 +14,7 @@ use super::files::{Files, OnDisk};
 use super::nested::Nested;
 use super::phenomenon::{self, Given};
 use super::reachable::{Content, Named, Reachable, Reached};
+use super::turns::unroll;
 
 /// What checking a graph yields.
 #[derive(Clone, Debug, Default)]
@@ -49,14 +51,17 @@ pub fn check_graph(document: &Document, library: &NodeLibrary) -> Checked {
 /// The same with the files it uses from elsewhere. All it reaches are checked, those first that name no
 /// other.
 pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn Files) -> Checked {
-    let mut reachable = Reachable::from(document, files);
+    let (document, repeats) = &written_out(document, library);
+    let mut reachable = Reachable::from(document, library, files);
     let mut checked: Vec<Option<Rc<Nested>>> = Vec::new();
     let mut found = Findings::default();
     while let Some(Reached { content, uses }) = reachable.next() {
         let given = Given { library, files, checked: &checked, written: &[] };
         let (findings, phenomenon) = match content {
             Content::Mistakes(findings) => (findings, None),
-            Content::Document(document, named) => check_one(&document, given, named),
+            Content::Document(document, repeats, named) => {
+                check_one((&document, &repeats), given, named)
+            }
         };
         for finding in findings {
             // Texts of uses cost more than the finding, where there are too many to be shown.
@@ -66,7 +71,7 @@ pub fn check_graph_with(document: &Document, library: &NodeLibrary, files: &dyn 
         checked.push(phenomenon.map(Rc::new));
     }
     let written = expressions::room(&document.root);
-    let mut reader = Reader::new(document);
+    let mut reader = reader_of(document, repeats);
     let given = Given { library, files, checked: &checked, written: &written };
     let mut named = reachable.into_named();
     let phenomenon = phenomenon::check(&mut reader, given, &mut named);
@@ -83,14 +88,35 @@ pub fn as_node(graph: &Graph, name: &str) -> Signature {
     nested.definition(name.to_owned()).signature
 }
 
+/// A document with its maps and folds written out, and what is wrong with those.
+pub(super) fn written_out<'d>(
+    document: &'d Document,
+    library: &NodeLibrary,
+) -> (Cow<'d, Document>, Vec<Finding>) {
+    match unroll(document, library) {
+        Some((document, findings)) => (Cow::Owned(document), findings),
+        None => (Cow::Borrowed(document), Vec::new()),
+    }
+}
+
+/// A reader of a document that was written out so.
+fn reader_of<'d>(document: &'d Document, repeats: &[Finding]) -> Reader<'d> {
+    let mut reader = Reader::new(document);
+    if document.written.is_some() {
+        reader.findings.tell_once();
+    }
+    repeats.iter().for_each(|finding| reader.findings.push(finding.clone()));
+    reader
+}
+
 /// The findings of a file that another uses, and the phenomenon it is if it is right.
 fn check_one(
-    document: &Document,
+    (document, repeats): (&Document, &[Finding]),
     given: Given<'_>,
     mut named: Named,
 ) -> (Vec<Finding>, Option<Nested>) {
     let written = expressions::room(&document.root);
-    let mut reader = Reader::new(document);
+    let mut reader = reader_of(document, repeats);
     let given = Given { written: &written, ..given };
     let phenomenon = phenomenon::check(&mut reader, given, &mut named);
     let phenomenon = phenomenon.filter(|_| !reader.findings.has_errors());

@@ -324,7 +324,7 @@ pub static NODE: Section = Section {
         key(
             "type",
             Kind::Value {
-                text: "a type from `phenomenon nodes`, `{ \"file\": \"snow.json\" }`, or `{ \"phenomenon\": \"name\" }`",
+                text: "a type from `phenomenon nodes`, `{ \"file\": \"snow.json\" }`, `{ \"phenomenon\": \"name\" }`, or a [map or a fold](#maps-and-folds)",
                 definition: "node_type",
             },
             Given::Required,

@@ -21,6 +21,9 @@ pub const MAX_SHADERS: usize = 64;
 /// Most names of parameters a graph has not that are compared with those it has: beyond, it is no slip.
 pub const MAX_ADVISED: usize = 64;
 
+/// Most turns that the maps and folds of a file may have in all.
+pub const MAX_TURNS: usize = 65_536;
+
 /// Most phenomena within one another, whether they stand in files of their own or not.
 pub const MAX_FILE_DEPTH: usize = 32;
 

@@ -56,8 +56,10 @@ mod sources;
 mod splits;
 mod stations;
 mod textures;
+pub mod turns;
 mod type_names;
 mod types;
+mod unit_mistakes;
 mod used_phenomena;
 mod value_keys;
 
@@ -66,7 +68,7 @@ pub use files::{Files, OnDisk};
 pub use graph::{Checked, as_node, check_graph, check_graph_with, read_graph_file};
 pub use limits::{
     MAX_ADVISED, MAX_CYCLE_SHOWN, MAX_FILE_DEPTH, MAX_INNER, MAX_NAME, MAX_NODES, MAX_OUTPUTS,
-    MAX_PARTS, MAX_SHADERS,
+    MAX_PARTS, MAX_SHADERS, MAX_TURNS,
 };
 pub use names::name_mistake;
 pub use settings::{Setting, SettingError, bind_setting, bind_settings, bind_text};

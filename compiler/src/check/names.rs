@@ -14,7 +14,12 @@ pub(super) fn check_name(reader: &mut Reader<'_>, value: &Value, what: &str, nam
 
 /// The same for a name that is a key.
 pub(super) fn check_key(reader: &mut Reader<'_>, member: &Member, what: &str) {
-    if let Some(message) = name_mistake(what, &member.key) {
+    check_key_as(reader, member, what, &member.key);
+}
+
+/// The same for a name that is a key in the file, if another in what was made of it.
+pub(super) fn check_key_as(reader: &mut Reader<'_>, member: &Member, what: &str, name: &str) {
+    if let Some(message) = name_mistake(what, name) {
         reader.report_key(Code::BAD_NAME, member, message, NAME_HELP);
     }
 }

@@ -11,10 +11,11 @@ use super::draft::{Draft, DraftInput, DraftNode};
 use super::inner::inner_of;
 use super::keys::NODE_KEYS;
 use super::limits::MAX_NODES;
-use super::names::check_key;
+use super::names::check_key_as;
 use super::reachable::file_of;
 use super::references::quoted;
 use super::shape::Shape;
+use super::turns::{self, form_of, is_implied, written_name};
 use super::{compounds, sources};
 
 /// Reads all nodes, then their inputs, which may name any of them. None where there are too many.
@@ -33,7 +34,11 @@ pub(super) fn read<'d>(
     }
     for (at, member) in members.iter().enumerate() {
         if !draft.is_written(&member.key) {
-            check_key(reader, member, "the name of a node");
+            let name = match is_implied(reader.document, member) {
+                true => written_name(&member.key),
+                false => &member.key,
+            };
+            check_key_as(reader, member, "the name of a node", name);
         }
         draft.node_names.insert(&member.key, at);
         let node_type = read_header(reader, member, draft);
@@ -162,6 +167,10 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
     if let Some(file) = file_of(value) {
         return draft.phenomena.get(file).copied().flatten();
     }
+    // What is wrong with a map or a fold that was not written out was told.
+    if form_of(value).is_some() {
+        return None;
+    }
     if let Some(name) = inner_of(value) {
         return draft.inner.get(name).copied().flatten();
     }
@@ -270,6 +279,25 @@ fn unknown_input(
     reader.findings.push(Finding::misspelt(Code::UNKNOWN_INPUT, place, message, advice));
 }
 
+/// Reports what each turn of a map or a fold is given and its body does not take.
+fn lacks_own(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    node: usize,
+    signature: &Signature,
+    member: &Member,
+) {
+    let (key, body) = (&member.key, shortened(&signature.name));
+    let message = format!(
+        "node `{}` gives its body `{body}` the parameter `{key}`, which that does not have",
+        shortened(draft.name(node))
+    );
+    let help = format!(
+        "declare it there: `\"interface\": {{ \"{key}\": {{ \"type\": …, \"default\": … }} }}`"
+    );
+    reader.report_key(Code::UNKNOWN_INPUT, member, message, help);
+}
+
 /// What to do about an input that a node does not have for the list it takes, or might.
 fn list_in_place(draft: &Draft<'_>, node: usize, member: &Member) -> Option<String> {
     let signature = draft.node_types.signature(draft.nodes[node].node_type?);
@@ -321,7 +349,15 @@ fn read_inputs<'d>(
             }
             continue;
         }
+        let implied = input.is_none() && is_implied(reader.document, member);
+        if implied && member.key == turns::INDEX {
+            continue;
+        }
         if let Some(signature) = signature
+            && implied
+        {
+            lacks_own(reader, draft, node, signature, member);
+        } else if let Some(signature) = signature
             && input.is_none()
         {
             let given = given.get_or_insert_with(|| {

@@ -19,7 +19,7 @@ use super::reachable::Named;
 use super::used_phenomena::Known;
 use super::{
     bind, cycles, dead_inputs, expand, expressions, hazards, interface, keys, loops, names, nodes,
-    outputs, presets, ranges, reach, requirements, roots, stations, textures, types,
+    outputs, presets, ranges, reach, requirements, roots, stations, textures, types, unit_mistakes,
     used_phenomena,
 };
 
@@ -184,7 +184,8 @@ fn check_values(
     order: &[usize],
 ) -> Vec<(usize, usize)> {
     let intervals = Intervals::of(draft, nodes, order);
-    ranges::check(reader, draft, &intervals);
+    let told = unit_mistakes::check(reader, draft);
+    ranges::check(reader, draft, &intervals, &told);
     hazards::check(reader, draft, &intervals);
     dead_inputs::check(reader, draft, &intervals);
     intervals.ruled_out()

@@ -1,6 +1,7 @@
 //! Values outside the ranges nodes declare: literals, parameters by their own range, and what is
 //! computed where it surely comes to lie outside.
 
+use std::collections::HashSet;
 use std::ops::RangeInclusive;
 
 use crate::diagnostics::{Code, Finding, shortened, shown};
@@ -15,8 +16,14 @@ use super::intervals::{Intervals, Value as Known, described};
 /// By how much of itself a number may be wrong that was computed.
 const ROUNDING: f64 = 1e-6;
 
-/// Reports what arrives at inputs from outside their declared range.
-pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Intervals<'_>) {
+/// Reports what arrives at inputs from outside their declared range, but the literals that are `told` of
+/// by their first bytes.
+pub(super) fn check(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    intervals: &Intervals<'_>,
+    told: &HashSet<usize>,
+) {
     for (node, drafted) in draft.nodes.iter().enumerate() {
         let Some(node_type) = drafted.node_type else { continue };
         let signature = draft.node_types.signature(node_type);
@@ -28,6 +35,7 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>, intervals: &Inte
             }
             let what = || format!("input `{}` of {}", input.name, draft.described(node));
             match given.source.kind {
+                SourceKind::Literal if told.contains(&given.source.value.start) => {}
                 SourceKind::Literal => {
                     let enforced = is_enforced(draft, node_type, input);
                     literal(reader, given.source.value, input, enforced, &what);

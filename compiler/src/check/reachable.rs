@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 
 use crate::diagnostics::{Code, Finding, Place, shortened};
 use crate::document::{Document, Value, ValueKind, all_mistakes, is_newer_format};
+use crate::nodes::NodeLibrary;
 
 use super::files::Files;
 use super::limits::MAX_FILE_DEPTH;
+use super::turns::unroll;
 
 /// A file that was read, after all those it names.
 pub(super) struct Reached {
@@ -38,8 +40,9 @@ impl Uses {
 
 /// What a file holds.
 pub(super) enum Content {
-    /// A document, and the files it names, as it writes them.
-    Document(Document, Named),
+    /// A document, its maps and folds written out, what is wrong with those, and the files it names, as
+    /// it writes them.
+    Document(Document, Vec<Finding>, Named),
     /// No JSON.
     Mistakes(Vec<Finding>),
 }
@@ -72,8 +75,9 @@ struct Open {
     name: String,
     /// Its folder, as it is named.
     folder: PathBuf,
-    /// None for the document that is checked, which needs no reading.
-    document: Option<Document>,
+    /// With what is wrong with its maps and folds; none for the document that is checked, which needs no
+    /// reading.
+    document: Option<(Document, Vec<Finding>)>,
     /// Files it names that were not looked at yet, from the last to the first.
     waiting: Vec<Use>,
     /// The use of the next file that is open.
@@ -91,6 +95,7 @@ impl Open {
 
 /// Reads what a document reaches.
 pub(super) struct Reachable<'f> {
+    library: &'f NodeLibrary,
     files: &'f dyn Files,
     /// The files that are open, outermost first, each the user of the next.
     open: Vec<Open>,
@@ -102,10 +107,10 @@ pub(super) struct Reachable<'f> {
 
 impl<'f> Reachable<'f> {
     /// What `document` reaches.
-    pub fn from(document: &Document, files: &'f dyn Files) -> Self {
+    pub fn from(document: &Document, library: &'f NodeLibrary, files: &'f dyn Files) -> Self {
         let name = document.file.name.clone();
         let open = vec![Open::new(files.identity(Path::new(&name)), name, document)];
-        Self { files, open, known: HashMap::new(), count: 0 }
+        Self { library, files, open, known: HashMap::new(), count: 0 }
     }
 
     /// The next file; none once all were read.
@@ -149,8 +154,12 @@ impl<'f> Reachable<'f> {
                 if let Some(user) = self.open.last_mut() {
                     user.using = Some(using);
                 }
+                let (document, repeats) = match unroll(&document, self.library) {
+                    Some(written_out) => written_out,
+                    None => (document, Vec::new()),
+                };
                 let mut open = Open::new(identity, path.display().to_string(), &document);
-                open.document = Some(document);
+                open.document = Some((document, repeats));
                 self.open.push(open);
                 None
             }
@@ -211,7 +220,8 @@ impl<'f> Reachable<'f> {
     /// Ends the innermost file.
     fn leave(&mut self) -> Option<Reached> {
         let ended = self.open.pop()?;
-        Some(self.reach(ended.identity, Content::Document(ended.document?, ended.named)))
+        let (document, repeats) = ended.document?;
+        Some(self.reach(ended.identity, Content::Document(document, repeats, ended.named)))
     }
 
     /// A file that was reached by the uses that are followed.

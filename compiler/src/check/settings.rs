@@ -36,7 +36,11 @@ impl Setting {
             name: member.key.clone(),
             key: document.place_of_key(member),
             place: document.place(&member.value),
-            document: Document { file: document.file.clone(), root: member.value.clone() },
+            document: Document {
+                file: document.file.clone(),
+                root: member.value.clone(),
+                written: None,
+            },
         }
     }
 

@@ -153,8 +153,10 @@ fn unknown_node(
     let advice = match references::meant(draft, name) {
         Some(meant) => Advice { help: meant.help, fix: meant.members.filter(|_| lone) },
         None => {
+            // Turns are named by no one.
             let names = draft.nodes.iter().map(|node| node.member.key.as_str());
-            reader.advice(name, names, None, || {
+            let names: Vec<&str> = names.filter(|name| !name.contains('[')).collect();
+            reader.advice(name, names.iter().copied(), None, || {
                 let name = shortened(name);
                 format!("add a node `{name}` to `nodes`, or connect another")
             })

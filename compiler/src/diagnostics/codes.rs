@@ -267,7 +267,7 @@ codes! {
         right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "interface": "p" } } }"#;
     LITERAL_OUT_OF_RANGE "literal-out-of-range" Warning "A literal outside the range of its input",
         "The node declares the values it is made for. Outside of them it still yields the same bits everywhere, but what they mean is not promised.",
-        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 50 } } }, "roots": { "material": { "node": "n" } } }"#,
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 1.5 } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 0.5 } } }, "roots": { "material": { "node": "n" } } }"#;
     RANGE_PAST_INPUT "range-past-input" Warning "A value that may leave the range of the input it feeds",
         "The range of a parameter is enforced where it is bound, but it is wider than what the node is made for; or what other nodes make of constants, parameters with ranges and the state surely comes to lie outside. It is reported only where a value outside is known to arrive: nothing is said of what is made from parameters without `min` and `max`, of values whose parts depend on one another, or of what is evaluated under a condition on the same values.",
@@ -289,6 +289,18 @@ codes! {
         "A phenomenon is expanded in the place of the node that uses it, so none may use itself, directly or through other files. The finding shows the way through the files. Files may be nested 32 deep.",
         wrong r#"a.json: { … "nodes": { "n": { "type": { "file": "a.json" } } } … }"#,
         right r#"a.json: { … "nodes": { "n": { "type": { "file": "b.json" } } } … }"#;
+    DEGREES "degrees" Warning "An angle that is probably in degrees",
+        "Angles of functions are in radians and hues in turns, and the number is one that people write for degrees, or a parameter is in another unit than the input it is connected to. The message names the value it should be.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "sine", "inputs": { "input": 90 } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "sine", "inputs": { "input": 1.5707964 } } }, "roots": { "material": { "node": "n" } } }"#;
+    PERCENT "percent" Warning "A share that is probably in percent",
+        "Weights, shares and saturations are 0 to 1, and the number is a whole one from 10 to 100.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 50, "a": 0.2, "b": 0.8 } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix", "inputs": { "weight": 0.5, "a": 0.2, "b": 0.8 } } }, "roots": { "material": { "node": "n" } } }"#;
+    EIGHT_BIT_COLOR "eight-bit-color" Warning "A color that probably counts up to 255",
+        "Colours are scene-linear, and those of surfaces 0 to 1. Whole numbers of up to 255 come from programs that show encoded colours: dividing them by 255 is not enough, they are to be decoded. Lights, which may be as bright as they like, are not told of.",
+        wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "light_loop", "inputs": { "body": { "node": "lit" } } }, "lit": { "type": "lambert", "inputs": { "color": [255, 128, 0] } } }, "roots": { "material": { "node": "n" } } }"#,
+        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "light_loop", "inputs": { "body": { "node": "lit" } } }, "lit": { "type": "lambert", "inputs": { "color": [1, 0.216, 0] } } }, "roots": { "material": { "node": "n" } } }"#;
     NUMERIC_HAZARD "numeric-hazard" Warning "A number that means nothing where it arrives",
         "A constant, the range of a parameter, or what other nodes surely make of such lets a node divide by zero or raise a negative number to a power. The result is defined, and the same in every engine, but hardly what is wanted. A node evaluated under a condition on the same values, as in `select` with `less`, is not reported.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 0 } } }, "roots": { "material": { "node": "n" } } }"#,

@@ -1,6 +1,8 @@
 //! The findings of one run.
 
-use super::{Finding, Severity};
+use std::collections::HashSet;
+
+use super::{Code, Finding, Place, Severity};
 
 /// How many findings are kept; later ones are counted only, so that a file with a million mistakes
 /// costs no more memory than one with this many.
@@ -17,11 +19,26 @@ pub struct Findings {
     others: usize,
     /// Findings made but not kept, by severity: note, warning, error.
     omitted: [usize; 3],
+    /// What was found where, if it is told once for a place.
+    told: Option<HashSet<(Code, String, usize, usize, String)>>,
 }
 
 impl Findings {
+    /// Tells what is the same but for the numbers of turns once for a place from here on: turns are
+    /// written once.
+    pub fn tell_once(&mut self) {
+        self.told = Some(HashSet::new());
+    }
+
     /// Adds a finding, or counts it where there are too many.
     pub fn push(&mut self, finding: Finding) {
+        if let Some(told) = &mut self.told {
+            let Place { file, start, end, .. } = &finding.place;
+            let message = without_turns(&finding.message);
+            if !told.insert((finding.code, file.name.clone(), *start, *end, message)) {
+                return;
+            }
+        }
         if self.kept.len() < KEPT_FINDINGS {
             self.others += usize::from(finding.severity != Severity::Error);
             self.kept.push(finding);
@@ -84,4 +101,15 @@ impl Findings {
         });
         self.kept
     }
+}
+
+/// A message without the numbers in brackets that tell turns apart.
+fn without_turns(message: &str) -> String {
+    let mut parts = message.split('[');
+    let mut same = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        same.push('[');
+        same.push_str(part.trim_start_matches(|digit: char| digit.is_ascii_digit()));
+    }
+    same
 }

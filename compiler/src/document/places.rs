@@ -51,7 +51,7 @@ impl Document {
 
     fn path_of_bytes(&self, start: usize, end: usize) -> String {
         let mut path = String::new();
-        let mut value = &self.root;
+        let mut value = self.written.as_deref().unwrap_or(&self.root);
         loop {
             // Members and elements stand in file order, so the one round a byte is found by halving.
             match &value.kind {

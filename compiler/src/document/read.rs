@@ -57,7 +57,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Document, Box<Finding>> {
     let refused = match (parsed, irregular) {
         (Ok(parsed), None) => match parsed.value {
             Some(value) => {
-                return Ok(Document { file: file.clone(), root: convert(value) });
+                return Ok(Document { file: file.clone(), root: convert(value), written: None });
             }
             None => return Err(syntax::empty(&file)),
         },

@@ -52,4 +52,6 @@ pub struct Document {
     pub file: Arc<SourceFile>,
     /// Its one value.
     pub root: Value,
+    /// That value as the file has it, where `root` is what was made of it: places are found there.
+    pub written: Option<Arc<Value>>,
 }

@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::parts::{described, object, reference};
 use super::sections::Sections;
+use crate::check::turns::{ACCUMULATED, Form, INDEX, INITIAL, ITEM, OVER};
 use crate::check::{MAX_OUTPUTS, MAX_SHADERS, keys};
 use crate::document::{Given, Key, Section};
 use crate::nodes::{DefaultValue, Input, NodeLibrary, Signature};
@@ -23,6 +24,9 @@ pub fn define_graph(library: &NodeLibrary, definitions: &mut Map<String, Value>)
     definitions.insert("root".into(), root());
     definitions.insert("shaders".into(), shaders());
     definitions.insert("node".into(), node(library));
+    let file = object(&["file"], json!({ "file": { "type": "string", "minLength": 1 } }));
+    let inner = object(&["phenomenon"], json!({ "phenomenon": reference("name") }));
+    definitions.insert("phenomenon_type".into(), json!({ "anyOf": [file, inner] }));
     sources(definitions);
 }
 
@@ -70,10 +74,7 @@ fn sources(definitions: &mut Map<String, Value>) {
         ("light", vec![light.clone()]),
         ("lights", vec![json!({ "type": "array", "items": light })]),
         ("shader", vec![null]),
-        (
-            "generic",
-            vec![number_here.clone(), list(3, 4), reference("color_of_space")],
-        ),
+        ("generic", vec![number_here.clone(), list(3, 4), reference("color_of_space")]),
         (
             "computed",
             vec![
@@ -229,8 +230,13 @@ fn node(library: &NodeLibrary) -> Value {
             .map(|input| (input.name.to_string(), input_schema(signature, input)))
             .collect();
         let required = required_inputs(signature);
-        let mut of_type =
-            json!({ "properties": { "inputs": object(&required, Value::Object(inputs)) } });
+        let mut inputs = object(&required, Value::Object(inputs));
+        if let Some(list) = &signature.or_list {
+            let others = signature.inputs.iter().skip(1);
+            let others: Vec<Value> = others.map(|it| json!({ "required": [&*it.name] })).collect();
+            inputs["dependencies"] = json!({ &*list.name: { "not": { "anyOf": others } } });
+        }
+        let mut of_type = json!({ "properties": { "inputs": inputs } });
         if !required.is_empty() {
             of_type["required"] = json!(["inputs"]);
         }
@@ -244,16 +250,36 @@ fn node(library: &NodeLibrary) -> Value {
     properties["type"] = json!({
         "anyOf": [
             { "enum": names, "enumDescriptions": docs },
-            object(&["file"], json!({ "file": { "type": "string", "minLength": 1 } })),
-            object(&["phenomenon"], json!({ "phenomenon": reference("name") })),
+            reference("phenomenon_type"),
+            object(&["map"], json!({ "map": reference("phenomenon_type") })),
+            object(&["fold"], json!({ "fold": reference("phenomenon_type") })),
         ],
         "description": properties["type"]["description"],
     });
     properties["inputs"] = json!({
         "type": "object", "description": properties["inputs"]["description"],
     });
+    choices.extend(Form::ALL.map(of_turns));
     node["allOf"] = Value::Array(choices);
     node
+}
+
+/// The inputs of a map or a fold, as far as they are its own: the others are those of its body.
+fn of_turns(form: Form) -> Value {
+    let (needed, own): (&[&str], &[&str]) = match form {
+        Form::Map => (&[OVER], &[ITEM, INDEX]),
+        Form::Fold => (&[OVER, INITIAL], &[ITEM, INDEX, ACCUMULATED]),
+    };
+    let own: Map<String, Value> =
+        own.iter().map(|name| ((*name).to_owned(), false.into())).collect();
+    let node_type = json!({ "type": "object", "required": [form.name()] });
+    json!({
+        "if": { "properties": { "type": node_type }, "required": ["type"] },
+        "then": {
+            "properties": { "inputs": { "type": "object", "required": needed, "properties": own } },
+            "required": ["inputs"],
+        },
+    })
 }
 
 fn required_inputs(signature: &Signature) -> Vec<&str> {

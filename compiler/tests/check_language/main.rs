@@ -10,4 +10,5 @@ mod outputs;
 mod presets;
 mod shaders;
 mod shading;
+mod turns;
 mod uniform_values;
