@@ -94,8 +94,8 @@ pub fn gradient_noise<E: Emit, const D: usize>(e: E, at: [E::Real; D]) -> [E::Re
             *value = slope::<E::Int, D>(bits.shift_right(8 * channel as u32), place);
         }
     }
-    for axis in 0..D {
-        let weight = fade(ends[axis][0]);
+    for (axis, end) in ends.iter().enumerate() {
+        let weight = fade(end[0]);
         for pair in 0..1 << (D - 1 - axis) {
             for channel in 0..3 {
                 let [a, b] = [corners[2 * pair][channel], corners[2 * pair + 1][channel]];
