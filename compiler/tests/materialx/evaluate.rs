@@ -237,10 +237,13 @@ impl Builder<'_> {
     /// whoever compiles.
     fn input(&mut self, view: &View) -> Result<Value, String> {
         let literal = literal(self.case, self.lane, view, &self.case.numbers)?;
+        // Counts and choices are known before shading.
+        if let Literal::Integer(number) = literal {
+            return Ok(json!(number));
+        }
         let name = parameter(view);
         let (kind, zero) = match &literal {
             Literal::Boolean(_) => ("boolean", None),
-            Literal::Integer(_) => ("integer", None),
             Literal::Transform(_) => ("transform", None),
             Literal::Scalar(_) => ("scalar", Some(json!({ "node": "here", "output": "u" }))),
             Literal::Vector(_) => ("vector", Some(json!({ "node": "here", "output": "point" }))),
@@ -249,7 +252,6 @@ impl Builder<'_> {
         };
         let default = match &literal {
             Literal::Boolean(truth) => json!(truth),
-            Literal::Integer(number) => json!(number),
             Literal::Scalar(number) => json!(number),
             Literal::Vector(numbers) => json!(numbers),
             Literal::Color(numbers) => json!(numbers),
