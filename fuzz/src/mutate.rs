@@ -146,7 +146,8 @@ fn change(document: &mut Document, chance: &mut Chance) {
             }
         }
         (1.., ValueKind::String(text)) => {
-            *text = if chance.below(4) == 0 { expression(&own, chance) } else { word(&own, chance) };
+            *text =
+                if chance.below(4) == 0 { expression(&own, chance) } else { word(&own, chance) };
         }
         _ => *target = piece(&before, &own, chance),
     }
@@ -222,8 +223,8 @@ fn piece(tree: &Value, own: &[&str], chance: &mut Chance) -> Value {
 
 /// What stands between the names of an expression.
 const SIGNS: [&str; 24] = [
-    " + ", " - ", " * ", " / ", " ** ", " % ", " < ", " == ", " && ", " or ", "!", "-", "(", ")", "[", "]", ", ",
-    ": ", " ? ", ".", ".x", ".rgb", "'", "vector(",
+    " + ", " - ", " * ", " / ", " ** ", " % ", " < ", " == ", " && ", " or ", "!", "-", "(", ")",
+    "[", "]", ", ", ": ", " ? ", ".", ".x", ".rgb", "'", "vector(",
 ];
 
 /// An expression, more or less.

@@ -1,6 +1,6 @@
 use crate::emit::functions::facets::Facets;
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::lobes::mirrored_density;
+use crate::emit::functions::surface_frame::Frame;
 use crate::nodes::brdf::ashikhmin_shirley_brdf::lobe;
 use crate::nodes::{NOT_NEGATIVE, state};
 use crate::state::Field;

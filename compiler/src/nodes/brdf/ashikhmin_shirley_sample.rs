@@ -1,7 +1,7 @@
 use crate::emit::Real;
 use crate::emit::functions::facets::Facets;
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::lobes::{drawn, mirrored_at, mirrored_density, turned};
+use crate::emit::functions::surface_frame::Frame;
 use crate::nodes::brdf::ashikhmin_shirley_brdf::lobe;
 use crate::nodes::finite::UNIT;
 use crate::nodes::{NOT_NEGATIVE, required, state};

@@ -3,8 +3,8 @@ use crate::emit::functions::facets::Facets;
 use crate::emit::functions::reflected::shown;
 use crate::emit::{Color, Real};
 use crate::nodes::brdf::torrance_sparrow_brdf::specular;
-use crate::nodes::fresnel::fresnel_conductor::reflectance;
 use crate::nodes::finite::UNIT;
+use crate::nodes::fresnel::fresnel_conductor::reflectance;
 use crate::nodes::{NOT_NEGATIVE, state};
 use crate::state::Field;
 

@@ -2,8 +2,8 @@ use std::f64::consts::PI;
 
 use crate::emit::functions::distributions::roughness;
 use crate::emit::functions::facets::lit;
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::reflected::shown;
+use crate::emit::functions::surface_frame::Frame;
 use crate::emit::{Real, Vector};
 use crate::nodes::finite::UNIT;
 use crate::nodes::fresnel::fresnel_schlick::schlick_color;

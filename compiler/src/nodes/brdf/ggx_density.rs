@@ -1,5 +1,5 @@
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::conventions::not_negative;
+use crate::emit::functions::surface_frame::Frame;
 use crate::emit::{Mask, Real};
 use crate::nodes::brdf::ggx_brdf::Ggx;
 use crate::nodes::finite::UNIT;

@@ -1,7 +1,7 @@
 use crate::emit::functions::conventions::sqrt_or_zero;
 use crate::emit::functions::distributions::roughness;
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::lobes::{drawn, mirrored_at, turned};
+use crate::emit::functions::surface_frame::Frame;
 use crate::emit::{Real, Vector};
 use crate::nodes::brdf::ggx_brdf::Ggx;
 use crate::nodes::brdf::ggx_density::density;

@@ -1,7 +1,7 @@
 use crate::emit::functions::distributions::{SAMPLED_DISTRIBUTIONS, roughness};
 use crate::emit::functions::facets::Facets;
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::lobes::{drawn_slope, facet_density, mirrored_at, turned};
+use crate::emit::functions::surface_frame::Frame;
 use crate::nodes::finite::UNIT;
 use crate::nodes::{NOT_NEGATIVE, required, state};
 use crate::state::Field;

@@ -1,8 +1,8 @@
 use std::f64::consts::TAU;
 
 use crate::emit::Real;
-use crate::emit::functions::facets::Facets;
 use crate::emit::functions::conventions::not_negative;
+use crate::emit::functions::facets::Facets;
 use crate::nodes::brdf::phong_brdf::lobe;
 use crate::nodes::{NOT_NEGATIVE, state};
 use crate::state::Field;

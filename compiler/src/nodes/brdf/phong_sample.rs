@@ -1,7 +1,7 @@
 use crate::emit::Real;
 use crate::emit::functions::facets::Facets;
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::lobes::{drawn, mirrored_at, turned};
+use crate::emit::functions::surface_frame::Frame;
 use crate::nodes::brdf::phong_density::density;
 use crate::nodes::finite::UNIT;
 use crate::nodes::{NOT_NEGATIVE, required, state};

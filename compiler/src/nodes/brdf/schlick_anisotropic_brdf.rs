@@ -1,8 +1,8 @@
 use std::f64::consts::PI;
 
 use crate::emit::functions::facets::Facets;
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::reflected::shown;
+use crate::emit::functions::surface_frame::Frame;
 use crate::emit::{Color, Mask, Real};
 use crate::nodes::finite::UNIT;
 use crate::nodes::fresnel::fresnel_schlick::schlick_color;

@@ -3,8 +3,8 @@ use crate::emit::functions::distributions::{
     DISTRIBUTIONS, GEOMETRIES, distribution, roughness, visibility,
 };
 use crate::emit::functions::facets::Facets;
-use crate::nodes::fresnel::fresnel_dielectric::{index, reflectance};
 use crate::nodes::finite::UNIT;
+use crate::nodes::fresnel::fresnel_dielectric::{index, reflectance};
 use crate::nodes::{NOT_NEGATIVE, state};
 use crate::state::Field;
 

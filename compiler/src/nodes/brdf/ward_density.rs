@@ -1,8 +1,8 @@
 use crate::emit::Real;
 use crate::emit::functions::distributions::roughness;
 use crate::emit::functions::facets::Facets;
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::lobes::mirrored_density;
+use crate::emit::functions::surface_frame::Frame;
 use crate::nodes::brdf::ward_brdf::gaussian;
 use crate::nodes::finite::UNIT;
 use crate::nodes::{NOT_NEGATIVE, state};

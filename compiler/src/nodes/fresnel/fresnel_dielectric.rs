@@ -154,7 +154,8 @@ mod tests {
     #[test]
     fn what_passes_next_to_the_critical_angle_is_accurate() {
         let mut worst = 0.0_f64;
-        for (n1, n2) in [(1.5_f32, 1.0_f32), (1.33, 1.0), (2.42, 1.5), (100.0, 1.0), (1.000_1, 1.0)] {
+        for (n1, n2) in [(1.5_f32, 1.0_f32), (1.33, 1.0), (2.42, 1.5), (100.0, 1.0), (1.000_1, 1.0)]
+        {
             let (a, b) = (f64::from(n1), f64::from(n2));
             let critical = ((a - b) * (a + b)).sqrt() / a;
             let mut cosine = critical as f32;

@@ -1,6 +1,6 @@
 use crate::emit::functions::facets::{Facets, lit};
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::reflected::reflected;
+use crate::emit::functions::surface_frame::Frame;
 use crate::nodes::brdf::ashikhmin_shirley_brdf::{coat, ground};
 use crate::nodes::finite::{INTENSITY, UNIT};
 use crate::nodes::{NOT_NEGATIVE, node, state};

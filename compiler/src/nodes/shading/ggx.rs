@@ -1,6 +1,6 @@
 use crate::emit::functions::facets::lit;
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::reflected::reflected;
+use crate::emit::functions::surface_frame::Frame;
 use crate::nodes::brdf::ggx_brdf::Ggx;
 use crate::nodes::finite::{INTENSITY, UNIT};
 use crate::nodes::fresnel::fresnel_schlick::schlick_color;

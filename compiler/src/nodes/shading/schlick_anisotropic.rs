@@ -1,6 +1,6 @@
 use crate::emit::functions::facets::{Facets, lit};
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::functions::reflected::{grey, reflected};
+use crate::emit::functions::surface_frame::Frame;
 use crate::nodes::brdf::schlick_anisotropic_brdf::factor;
 use crate::nodes::finite::{INTENSITY, UNIT};
 use crate::nodes::fresnel::fresnel_schlick::schlick_color;
