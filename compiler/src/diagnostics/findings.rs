@@ -11,6 +11,9 @@ pub const KEPT_FINDINGS: usize = 10_000;
 /// How many findings of a run a report shows; the rest is a number.
 pub const SHOWN_FINDINGS: usize = 1_000;
 
+/// A code, the file and the bytes it is about, and what is said but for the numbers of turns.
+type Told = (Code, String, usize, usize, String);
+
 /// The findings of one run, bounded.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
@@ -20,7 +23,7 @@ pub struct Findings {
     /// Findings made but not kept, by severity: note, warning, error.
     omitted: [usize; 3],
     /// What was found where, if it is told once for a place.
-    told: Option<HashSet<(Code, String, usize, usize, String)>>,
+    told: Option<HashSet<Told>>,
 }
 
 impl Findings {

@@ -36,7 +36,7 @@ pub fn hold(case: &Case, coarse: f64, evaluator: &Evaluator) -> Result<(), Strin
         let most = MOST * theirs.abs().max(largest(&case.numbers));
         let bound = units(theirs) + coarse + (2.0 * moved[at]).min(most);
         let error = (ours - theirs).abs();
-        if !(error <= bound) {
+        if error.is_nan() || error > bound {
             return Err(format!("component {at} is {ours}, off by {error:e}, more than {bound:e}"));
         }
     }

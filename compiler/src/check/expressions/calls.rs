@@ -220,7 +220,7 @@ impl Writer<'_, '_> {
         let signature = self.draft.node_types.signature(call.node_type);
         // A function is called with all it is known to take; only the alpha of a color may be left out.
         let optional = |at: usize| call.name == "color" && at == 3;
-        let of_function = call.function.is_some().then_some(order).unwrap_or_default();
+        let of_function = if call.function.is_some() { order } else { &[] };
         let required = (0..signature.inputs.len()).filter(|at| {
             of_function.contains(at) && !optional(*at)
                 || matches!(signature.inputs[*at].default, DefaultValue::Required)

@@ -97,10 +97,9 @@ pub fn gradient_noise<E: Emit, const D: usize>(e: E, at: [E::Real; D]) -> [E::Re
     for (axis, end) in ends.iter().enumerate() {
         let weight = fade(end[0]);
         for pair in 0..1 << (D - 1 - axis) {
-            for channel in 0..3 {
-                let [a, b] = [corners[2 * pair][channel], corners[2 * pair + 1][channel]];
-                corners[pair][channel] = between(weight, a, b);
-            }
+            let [[ax, ay, az], [bx, by, bz]] = [corners[2 * pair], corners[2 * pair + 1]];
+            corners[pair] =
+                [between(weight, ax, bx), between(weight, ay, by), between(weight, az, bz)];
         }
     }
     let [x, y, z] = corners[0];

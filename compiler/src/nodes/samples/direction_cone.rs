@@ -62,7 +62,7 @@ mod tests {
     #[test]
     fn it_fills_the_cone_evenly() {
         let axis = [0.0, 0.0, 2.0];
-        for angle in [1e-6_f32, 1e-3, 0.5, 2.0, 3.141_592_7] {
+        for angle in [1e-6_f32, 1e-3, 0.5, 2.0, std::f32::consts::PI] {
             let k = 2.0 * (f64::from(angle) / 2.0).sin().powi(2);
             for u in [0.0, 0.25, 0.999_999_94] {
                 let to = numbers!(axis = axis, angle = angle, u = u, v = 0.25 => direction);
