@@ -1,6 +1,7 @@
 //! `phenomenon nodes`.
 
 use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::values::Type;
 use serde_json::Value;
 
 use crate::program::{printed, refused};
@@ -24,11 +25,17 @@ fn a_node_is_told_in_full() {
     for (_, definition) in NodeLibrary::standard().iter() {
         let signature = &definition.signature;
         let text = printed(&["nodes", &signature.name]);
+        let types = |of: Type| {
+            let types = signature.types_of(of).iter().map(|of| of.name());
+            types.collect::<Vec<_>>().join(" | ")
+        };
         for input in &signature.inputs {
-            assert!(text.contains(&format!("  {}: {}", input.name, input.value_type.name())));
+            let of = types(input.value_type);
+            assert!(text.contains(&format!("  {}: {of}", input.name)), "{text}");
         }
         for output in &signature.outputs {
-            assert!(text.contains(&format!("  {}: {}", output.name, output.value_type.name())));
+            let of = types(output.value_type);
+            assert!(text.contains(&format!("  {}: {of}", output.name)), "{text}");
         }
     }
     let mix = printed(&["nodes", "mix"]);

@@ -154,9 +154,11 @@ fn unknown_node(
         Some(meant) => Advice { help: meant.help, fix: meant.members.filter(|_| lone) },
         None => {
             // Turns are named by no one.
-            let names = draft.nodes.iter().map(|node| node.member.key.as_str());
-            let names: Vec<&str> = names.filter(|name| !name.contains('[')).collect();
-            reader.advice(name, names.iter().copied(), None, || {
+            let names = draft.nodes.iter().map(|node| match node.member.key.as_str() {
+                turn if turn.contains('[') => "",
+                name => name,
+            });
+            reader.advice(name, names, None, || {
                 let name = shortened(name);
                 format!("add a node `{name}` to `nodes`, or connect another")
             })

@@ -69,7 +69,8 @@ mod tests {
     /// A macro would hide which inputs there are: the normal for a map over the plane of x and y.
     fn bent(given: &[(&str, crate::values::Literal)]) -> Vec<f32> {
         let direction = ("direction", crate::values::Literal::Vector(DOWN));
-        let given = [&[direction], given].concat();
+        // What is given first counts.
+        let given = [given, &[direction]].concat();
         changed(&super::definition(), &given)[..3].to_vec()
     }
 
