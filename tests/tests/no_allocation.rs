@@ -132,9 +132,8 @@ fn rays_lights_and_textures_allocate_nothing() {
 fn loops_over_samples_allocate_nothing() {
     let mut build = Build::with(library());
     let sample = build.node("sample", &[]);
-    let wave = build.node_of("sine", Type::Scalar, &[("input", sample.output("sample_u"))]);
-    let body =
-        build.node("combine_color", &[("r", wave.first()), ("g", sample.output("sample_v"))]);
+    let wave = build.node_of("sine", Type::Scalar, &[("input", sample.output("u"))]);
+    let body = build.node("combine_color", &[("r", wave.first()), ("g", sample.output("v"))]);
     let count = Binding::Literal(Literal::Integer(9));
     let mean = build.node("sample_mean", &[("count", count), ("body", body.first())]);
     let built = build.material(mean.first());

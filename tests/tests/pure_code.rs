@@ -101,7 +101,7 @@ fn sides_stand_within_sides() {
     let mut build = Build::new();
     let state = build.node("state", &[]);
     let (a, b, c) = (noise(&mut build, 1.5), noise(&mut build, -0.7), noise(&mut build, 0.3));
-    let high = build.node("less", &[("a", scalar(0.5)), ("b", c)]);
+    let high = build.node_of("less", Type::Scalar, &[("a", scalar(0.5)), ("b", c)]);
     let inputs = [("condition", high.first()), ("if_true", a), ("if_false", scalar(0.25))];
     let inner = build.node_of("select", Type::Scalar, &inputs);
     let inputs =
