@@ -39,7 +39,9 @@ impl Tape {
         Self { standard: true, ..Self::default() }
     }
 
-    /// Records `op`, or finds it.
+    /// Records `op`, or finds it. Recorders are made of calls of it, one for each operation of each body:
+    /// inlined, it would be most of what is compiled.
+    #[inline(never)]
     pub fn push(&self, op: Op) -> OpId {
         let Inner { ops, index } = &mut *self.inner.borrow_mut();
         index.find_or_push(ops, op)
@@ -67,6 +69,7 @@ impl Tape {
         self.at(self.push(op))
     }
 
+    #[inline(never)]
     fn number(&self, value: f64) -> OpId {
         self.push(match self.standard {
             true => Op::Constant((value as f32).to_bits()),
@@ -74,10 +77,12 @@ impl Tape {
         })
     }
 
+    #[inline(never)]
     fn integer(&self, value: i32) -> OpId {
         self.push(if self.standard { Op::Constant(value as u32) } else { Op::Integer(value) })
     }
 
+    #[inline(never)]
     fn truth(&self, value: bool) -> OpId {
         let bits = if value { u32::MAX } else { 0 };
         self.push(if self.standard { Op::Constant(bits) } else { Op::Truth(value) })
@@ -294,10 +299,15 @@ impl<'t> TapeInputs<'t> {
     }
 
     fn word<T: OnTape<'t>>(&self, index: usize) -> T {
-        self.tape.at(match self.given {
+        self.tape.at(self.id(index))
+    }
+
+    #[inline(never)]
+    fn id(&self, index: usize) -> OpId {
+        match self.given {
             Some(ids) => ids[index],
             None => self.tape.push(Op::Load(index as u32)),
-        })
+        }
     }
 }
 
@@ -314,6 +324,7 @@ impl<'t> Words<&'t Tape> for TapeInputs<'t> {
     /// # Panics
     ///
     /// If it was not said: bodies with inputs known before shading are recorded for known numbers.
+    #[inline(never)]
     fn fixed(&self, index: usize) -> i32 {
         let known = self.fixed.iter().find(|(word, _)| *word == index);
         known.expect("what is known before shading was said").1

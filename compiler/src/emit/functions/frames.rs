@@ -20,10 +20,15 @@ pub fn any_tangent<R: Real>(normal: Vector<R>) -> Vector<R> {
 /// none. It is straightened twice: once leaves an error that grows as the vector nears the normal.
 #[inline(always)]
 pub fn tangent_along<R: Real>(vector: Vector<R>, normal: Vector<R>) -> Vector<R> {
-    let straight = |vector: Vector<R>| vector - normal * vector.dot(normal);
-    let once = straight(vector.normalized());
+    let once = across(vector.normalized(), normal);
     let found = once.largest().greater(normal.x.same(NO_DIRECTION));
-    found.select(straight(once.normalized()), any_tangent(normal)).normalized()
+    found.select(across(once.normalized(), normal), any_tangent(normal)).normalized()
+}
+
+/// A vector less its part along a unit normal. No closure: those the compiler need not inline.
+#[inline(always)]
+fn across<R: Real>(vector: Vector<R>, normal: Vector<R>) -> Vector<R> {
+    vector - normal * vector.dot(normal)
 }
 
 /// The vector whose components along tangent, bitangent (normal × tangent) and normal are given.
