@@ -70,6 +70,14 @@ fn case(value: &Value) -> Case {
     }
 }
 
+/// The file that is checked in, or the one `REFERENCE_VALUES` names.
+pub fn text() -> String {
+    std::env::var_os("REFERENCE_VALUES").map_or_else(
+        || include_str!("values.json").to_owned(),
+        |path| std::fs::read_to_string(path).expect("REFERENCE_VALUES names a file"),
+    )
+}
+
 /// The models with their cases.
 pub fn read(text: &str) -> Vec<(String, Vec<Case>)> {
     let file: Value = serde_json::from_str(text).expect("the file is JSON");
