@@ -8,6 +8,7 @@ mod documentation;
 mod escape;
 mod finding;
 mod findings;
+pub mod peers;
 mod severity;
 mod source;
 mod suggest;

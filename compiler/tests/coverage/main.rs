@@ -1,16 +1,14 @@
-//! What we have of the nodes of others: `docs/coverage.md` is made of the lists beside this file, and they
-//! are held to the library.
+//! What we have of the nodes of others: `docs/coverage.md` is made of the lists in `compiler/src/diagnostics/peers`, and
+//! they are held to the library.
 //!
 //! `PHENOMENON_BLESS=1 cargo test --workspace --test coverage` writes the page.
 
-mod lists;
 mod page;
 
 use std::collections::BTreeSet;
 
+use phenomenon_compiler::diagnostics::peers::{Entry, Have, LISTS};
 use phenomenon_compiler::nodes::NodeLibrary;
-
-use lists::{Entry, Have, LISTS, entries};
 
 /// Groups of MaterialX whose nodes are no patterns: they shade, or light, or join what does.
 const NO_PATTERNS: [&str; 7] = ["material", "shader", "pbr", "light", "translation", "npr", "-"];
@@ -37,9 +35,9 @@ fn nodes_that_are_named_exist() {
         library.iter().map(|(_, definition)| &*definition.signature.name).collect();
     for list in LISTS {
         let mut names = BTreeSet::new();
-        for entry in entries(list) {
+        for entry in list.entries() {
             assert!(names.insert(entry.name), "{}: `{}` stands twice", list.title, entry.name);
-            let quoted: Vec<&str> = entry.what.split('`').skip(1).step_by(2).collect();
+            let quoted: Vec<&str> = entry.named().collect();
             for name in &quoted {
                 let is_other = name.contains([' ', '/']);
                 assert!(is_other || ours.contains(name), "{}: there is no `{name}`", entry.name);
@@ -60,21 +58,19 @@ fn nodes_that_are_named_exist() {
 
 #[test]
 fn the_lists_are_whole() {
-    let counts = LISTS.map(|list| entries(list).len());
+    let counts = LISTS.map(|list| list.entries().count());
     assert!(
         counts[0] >= 223 && counts[1] >= 180 && counts[2] >= 150 && counts[3] >= 180,
         "{counts:?}"
     );
     // The modes that Blender's documentation counts.
-    let modes =
-        |of: &str| entries(LISTS[3]).iter().filter(|entry| entry.name.starts_with(of)).count();
+    let modes = |of: &str| LISTS[3].entries().filter(|entry| entry.name.starts_with(of)).count();
     assert_eq!([modes("Math:"), modes("Vector_Math:"), modes("Mix_Color:")], [41, 30, 19]);
 }
 
 #[test]
 fn few_patterns_of_materialx_are_missing_without_a_reason() {
-    let entries = entries(LISTS[0]);
-    let patterns: Vec<&Entry> = entries.iter().filter(|entry| is_pattern(entry)).collect();
+    let patterns: Vec<Entry> = LISTS[0].entries().filter(is_pattern).collect();
     let missing: Vec<&str> =
         patterns.iter().filter(|it| it.have == Have::Later).map(|it| it.name).collect();
     assert!(patterns.len() > 140, "{} patterns", patterns.len());

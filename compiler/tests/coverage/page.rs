@@ -2,14 +2,15 @@
 
 use std::fmt::Write;
 
+use phenomenon_compiler::diagnostics::peers::{Entry, Have, LISTS};
+
 use crate::is_pattern;
-use crate::lists::{Entry, Have, LISTS, entries, heading};
 
 /// What stands above the tables.
 const HEAD: &str = "\
 # What we have of the nodes of others
 
-Made from the lists in `compiler/tests/coverage`, whose test holds them to the library;
+Made from the lists in `compiler/src/diagnostics/peers`, which a test holds to the library;
 `PHENOMENON_BLESS=1 cargo test --workspace --test coverage` writes it anew. What a name means here is also told by
 `phenomenon nodes --search NAME`. `compiler/tests/materialx` runs what MaterialX computes.
 
@@ -49,17 +50,16 @@ pub fn page() -> String {
     );
     page.push_str("| --- | --- | --- | --- | --- | --- | --- |\n");
     for list in LISTS {
-        let entries = entries(list);
-        counts(&mut page, list.title, &entries.iter().collect::<Vec<_>>());
+        counts(&mut page, list.title, &list.entries().collect::<Vec<_>>());
         if list.title == "MaterialX" {
-            let patterns: Vec<_> = entries.iter().filter(|entry| is_pattern(entry)).collect();
+            let patterns: Vec<_> = list.entries().filter(is_pattern).collect();
             counts(&mut page, "MaterialX: nodes that compute values", &patterns);
         }
     }
     for list in LISTS {
-        let _ = write!(page, "\n## {}\n\n{}\n", list.title, heading(list));
+        let _ = write!(page, "\n## {}\n\n{}\n", list.title, list.heading());
         let mut group = "";
-        for entry in entries(list) {
+        for entry in list.entries() {
             if entry.group != group {
                 group = entry.group;
                 let _ = write!(page, "\n| {group} | here | |\n| --- | --- | --- |\n");
@@ -71,7 +71,7 @@ pub fn page() -> String {
     page
 }
 
-fn counts(page: &mut String, title: &str, entries: &[&Entry]) {
+fn counts(page: &mut String, title: &str, entries: &[Entry]) {
     let _ = write!(page, "| {title} | {} |", entries.len());
     for have in [Have::Node, Have::Made, Have::Other, Have::No, Have::Later] {
         let _ = write!(page, " {} |", entries.iter().filter(|entry| entry.have == have).count());

@@ -13,6 +13,7 @@ mod rows;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use phenomenon_compiler::diagnostics::peers;
 use phenomenon_compiler::engine::Engine;
 use phenomenon_compiler::nodes::NodeLibrary;
 
@@ -22,11 +23,7 @@ use rows::{How, Row, row_of, rows};
 
 /// The nodes of MaterialX, by category.
 fn categories() -> BTreeSet<&'static str> {
-    let lines = include_str!("../coverage/materialx.txt").lines();
-    lines
-        .filter(|line| !line.starts_with('#'))
-        .filter_map(|line| line.split_whitespace().next())
-        .collect()
+    peers::LISTS[0].entries().map(|entry| entry.name).collect()
 }
 
 /// A case with the row it belongs to, if any does.

@@ -37,7 +37,7 @@ pub fn found(found: &Found<'_>) -> String {
         let place = match place {
             Place::Input(name) => format!(" (input `{name}`)"),
             Place::Output(name) => format!(" (output `{name}`)"),
-            Place::Exact | Place::Called | Place::Also => " (by another name)".into(),
+            Place::Exact | Place::Called | Place::Also | Place::Peer => " (by another name)".into(),
             Place::Name | Place::PartOfCalled | Place::PartOfName | Place::Doc => String::new(),
         };
         let doc = first_sentence(&node.doc);
@@ -45,6 +45,10 @@ pub fn found(found: &Found<'_>) -> String {
     }
     if !found.advice.is_empty() {
         let _ = writeln!(text, "\nNote: {}", found.advice);
+    }
+    for (at, entry) in found.peers.iter().enumerate() {
+        let gap = if at == 0 { "\n" } else { "" };
+        let _ = writeln!(text, "{gap}{}", entry.answer());
     }
     text
 }

@@ -1,6 +1,7 @@
 //! Nodes as JSON, version 1.
 
 use phenomenon_compiler::check::as_node;
+use phenomenon_compiler::diagnostics::peers::Entry;
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::{DefaultValue, Input, Kind, Output, Signature};
 use phenomenon_compiler::values::{Literal, Type};
@@ -22,12 +23,16 @@ pub fn groups(groups: &[Group<'_>]) -> String {
     format!("{:#}\n", json!({ "version": 1, "groups": groups }))
 }
 
-/// `{"version":1,"nodes":[…]}`, the best first, with the `advice` there is.
+/// `{"version":1,"nodes":[…]}`, the best first, with the `advice` there is, and in `peers` what there is for nodes of
+/// others that are called so.
 pub fn found(found: &Found<'_>) -> String {
     let nodes: Vec<Value> = found.hits.iter().map(|hit| described(hit.node)).collect();
     let mut object = json!({ "version": 1, "nodes": nodes });
     if !found.advice.is_empty() {
         object["advice"] = found.advice.into();
+    }
+    if !found.peers.is_empty() {
+        object["peers"] = found.peers.iter().map(Entry::answer).collect();
     }
     format!("{object:#}\n")
 }

@@ -1,6 +1,7 @@
 //! Nodes by a word, which may be one of other programs.
 
 use phenomenon_compiler::diagnostics::nearest;
+use phenomenon_compiler::diagnostics::peers::{self, Entry};
 use phenomenon_compiler::diagnostics::synonyms::{self, Synonym};
 use phenomenon_compiler::nodes::{NodeLibrary, Signature};
 
@@ -25,6 +26,8 @@ pub enum Place<'l> {
     Also,
     /// It is what others call the node, among other things.
     Called,
+    /// It is the name of a node of others, which this one stands for, alone or with others.
+    Peer,
     /// It is a part of what others call the node.
     PartOfCalled,
     /// It is a part of the name, or the group.
@@ -43,6 +46,8 @@ pub struct Found<'l> {
     pub hits: Vec<Hit<'l>>,
     /// What to mind, or to do instead; may be empty.
     pub advice: &'static str,
+    /// What there is for the nodes of others that are called so, where the nodes do not tell.
+    pub peers: Vec<Entry>,
 }
 
 /// The nodes that have all the words, or that others call so, the best first.
@@ -55,10 +60,14 @@ pub fn find<'l>(library: &'l NodeLibrary, words: &[String]) -> Result<Found<'l>,
     let mut hits: Vec<Hit<'l>> =
         nodes.filter_map(|node| query.place(node).map(|place| Hit { node, place })).collect();
     hits.sort_by_key(|hit| hit.place);
-    if hits.is_empty() {
+    let Some(first) = hits.first() else {
         return Err(query.without_hits(library));
-    }
-    Ok(Found { hits, advice: query.advice() })
+    };
+    let advice = query.advice();
+    let is_told = |entry: &Entry| entry.what == format!("`{}`", first.node.name);
+    let mut peers = query.peers;
+    peers.retain(|entry| !is_told(entry));
+    Ok(Found { hits, advice, peers })
 }
 
 /// What is looked for.
@@ -69,6 +78,8 @@ struct Query {
     meant: Option<Synonym>,
     /// Its words, each with what others mean by it.
     words: Vec<(String, Option<Synonym>)>,
+    /// The nodes of others that are called so.
+    peers: Vec<Entry>,
 }
 
 impl Query {
@@ -76,12 +87,15 @@ impl Query {
         let text = words.join(" ").to_lowercase();
         let words = text.split_whitespace();
         let words = words.map(|word| (word.to_owned(), synonyms::node(word))).collect();
-        Self { meant: synonyms::node(&text), words, text }
+        Self { meant: synonyms::node(&text), peers: peers::called(&text), words, text }
     }
 
     fn place<'l>(&self, node: &'l Signature) -> Option<Place<'l>> {
         if let Some(place) = means(&self.text, &self.meant, node) {
             return Some(place);
+        }
+        if self.peers.iter().flat_map(Entry::named).any(|name| *name == *node.name) {
+            return Some(Place::Peer);
         }
         // All words must be there; the worst tells how well they fit.
         let places: Option<Vec<_>> =
@@ -97,10 +111,12 @@ impl Query {
 
     fn without_hits(&self, library: &NodeLibrary) -> Failure {
         let names = library.iter().map(|(_, definition)| &*definition.signature.name);
-        let help = match (self.advice(), nearest(&self.text, names)) {
-            ("", Some(near)) => near.help(),
-            ("", None) => "`phenomenon nodes` lists all there are".into(),
-            (advice, _) => advice.to_owned(),
+        let answers: Vec<String> = self.peers.iter().map(Entry::answer).collect();
+        let help = match (self.advice(), answers.as_slice(), nearest(&self.text, names)) {
+            ("", [], Some(near)) => near.help(),
+            ("", [], None) => "`phenomenon nodes` lists all there are".into(),
+            ("", answers, _) => answers.join("; "),
+            (advice, ..) => advice.to_owned(),
         };
         Failure::new(format!("--search {}: no node has this", self.text), help)
     }
@@ -199,6 +215,28 @@ mod tests {
             }
         }
         assert!(lines.count() >= 450);
+        assert!(lost.is_empty(), "{}", lost.join("\n"));
+    }
+
+    /// Every name of the lists: one of the nodes that stand for it comes first, or it is said what to do instead.
+    #[test]
+    fn every_name_of_others_is_found_or_answered() {
+        let library = NodeLibrary::standard();
+        let mut lost = Vec::new();
+        for entry in peers::LISTS.iter().flat_map(|list| list.entries()) {
+            let is_answered = match find(&library, &[entry.name.replace(':', " ")]) {
+                Ok(found) => {
+                    let first = &*found.hits[0].node.name;
+                    entry.named().any(|name| name == first)
+                        || found.peers.iter().any(|told| told.name == entry.name)
+                }
+                // What the tables advise, or what the list says.
+                Err(failure) => !failure.help().contains("lists all there are"),
+            };
+            if !is_answered {
+                lost.push(format!("{} {}", entry.of, entry.name));
+            }
+        }
         assert!(lost.is_empty(), "{}", lost.join("\n"));
     }
 

@@ -8,6 +8,7 @@
 mod table;
 mod tables;
 
+pub(super) use table::folded;
 pub use table::{Absent, Called, Synonym, Table};
 pub use tables::{
     INPUTS, KEYS, NODES, OUTPUTS, ROOTS, SEVERAL, TYPES, also, input, is_word, key, node, of_node,

@@ -65,7 +65,7 @@ impl Synonym {
 }
 
 /// A foreign name as the tables know it: without case, `_`, `-` and spaces.
-pub(super) fn folded(name: &str) -> String {
+pub(in crate::diagnostics) fn folded(name: &str) -> String {
     // Longer names are no word of any program.
     name.chars()
         .take(64)
