@@ -208,12 +208,14 @@ fn in_percent(value: &Value) -> Option<Mistake> {
 /// A colour of whole numbers up to 255, as other programs show it: encoded, so that dividing is not enough.
 fn up_to_255(value: &Value) -> Option<Mistake> {
     let ValueKind::Array(elements) = &value.kind else { return None };
-    let [r, g, b] =
-        <[Option<i32>; 3]>::try_from(elements.get(..3)?.iter().map(whole).collect::<Vec<_>>())
-            .ok()?;
-    let rgb = [r?, g?, b?];
+    let numbers: Vec<Option<i32>> = elements.iter().map(whole).collect();
+    let (rgb, alpha) = match numbers[..] {
+        [Some(r), Some(g), Some(b)] => ([r, g, b], Some(1)),
+        [Some(r), Some(g), Some(b), alpha] => ([r, g, b], alpha),
+        _ => return None,
+    };
     let likely = rgb.iter().all(|x| (0..=255).contains(x)) && rgb.iter().any(|&x| x > 16);
-    if !likely || elements.len() > 4 {
+    if !likely {
         return None;
     }
     let linear = rgb.map(|x| {
@@ -225,18 +227,21 @@ fn up_to_255(value: &Value) -> Option<Mistake> {
         format!("{}", (linear * 1e4).round() / 1e4)
     });
     let [r, g, b] = rgb;
+    let as_srgb = format!("{{ \"srgb\": \"#{r:02x}{g:02x}{b:02x}\" }}");
+    // Whether 0 or half is meant of an alpha of up to 255 is not known.
+    let is_opaque = matches!(alpha, Some(1 | 255));
     Some(Mistake {
         code: Code::EIGHT_BIT_COLOR,
         message: format!(
             "is a reflectance, and [{r}, {g}, {b}] looks like a color of up to 255: it is [{}]",
             linear.join(", ")
         ),
-        help: HELP_OF_COLOR.replace("#hex", &format!("#{r:02x}{g:02x}{b:02x}")),
-        fix: None,
+        help: format!(
+            "write `{as_srgb}`; colours are scene-linear, and numbers of up to 255 are mostly sRGB"
+        ),
+        fix: is_opaque.then_some(as_srgb),
     })
 }
-
-const HELP_OF_COLOR: &str = "colours are scene-linear; numbers of up to 255 are mostly sRGB, #hex";
 
 #[cfg(test)]
 mod tests {
@@ -262,10 +267,18 @@ mod tests {
         assert_eq!(told("hsv_to_rgb", "hue", "120"), Some((Code::DEGREES, None)));
         assert_eq!(told("hsv_to_rgb", "hue", "90"), fixed("0.25"));
         assert_eq!(told("mix", "weight", "57"), Some((Code::PERCENT, Some("0.57".to_owned()))));
-        for color in ["[255, 128, 0]", "[17, 0, 0]", "[255, 255, 255, 1]"] {
+        for (color, fix) in [
+            ("[255, 128, 0]", Some("#ff8000")),
+            ("[17, 0, 0]", Some("#110000")),
+            ("[255, 255, 255, 1]", Some("#ffffff")),
+            ("[0, 9, 255, 255]", Some("#0009ff")),
+            ("[255, 128, 0, 128]", None),
+            ("[255, 128, 0, 0.5]", None),
+        ] {
+            let fix = fix.map(|digits| format!("{{ \"srgb\": \"{digits}\" }}"));
             assert_eq!(
                 told("lambert", "color", color),
-                Some((Code::EIGHT_BIT_COLOR, None)),
+                Some((Code::EIGHT_BIT_COLOR, fix)),
                 "{color}"
             );
         }

@@ -222,8 +222,8 @@ codes! {
         "Numbers are kept in 32 bits. This one is too large for them and would become infinite.",
         wrong r#"{ "phenomenon": "a", "roots": { "material": 1e39 } }"#,
         right r#"{ "phenomenon": "a", "roots": { "material": 1e38 } }"#;
-    OUTSIDE_LIGHT_LOOP "outside-light-loop" Error "A light sample read outside a light loop",
-        "The nodes `light` and `light_color`, and inputs that default to them, speak of the light sample a loop is at. They have a value only below the `body` input of a `light_loop`.",
+    OUTSIDE_LIGHT_LOOP "outside-light-loop" Error "A sample read outside its loop",
+        "The nodes `light` and `light_color`, and inputs that default to them, speak of the light sample a loop is at. They have a value only below the `body` input of a `light_loop`; so do `sample`, and nodes that draw a direction by it, below that of a `sample_loop`.",
         wrong r#"{ "phenomenon": "a", "nodes": { "c": { "type": "light_color" } }, "roots": { "material": { "node": "c" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "c": { "type": "light_color" }, "all": { "type": "light_loop", "inputs": { "body": { "node": "c" } } } }, "roots": { "material": { "node": "all" } } }"#;
     TOO_MANY_NODES "too-many-nodes" Error "A graph past the size limit",
@@ -300,7 +300,7 @@ codes! {
     EIGHT_BIT_COLOR "eight-bit-color" Warning "A color that probably counts up to 255",
         "Colours are scene-linear, and those of surfaces 0 to 1. Whole numbers of up to 255 come from programs that show encoded colours: dividing them by 255 is not enough, they are to be decoded. Lights, which may be as bright as they like, are not told of.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "light_loop", "inputs": { "body": { "node": "lit" } } }, "lit": { "type": "lambert", "inputs": { "color": [255, 128, 0] } } }, "roots": { "material": { "node": "n" } } }"#,
-        right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "light_loop", "inputs": { "body": { "node": "lit" } } }, "lit": { "type": "lambert", "inputs": { "color": [1, 0.216, 0] } } }, "roots": { "material": { "node": "n" } } }"#;
+        right r##"{ "phenomenon": "a", "nodes": { "n": { "type": "light_loop", "inputs": { "body": { "node": "lit" } } }, "lit": { "type": "lambert", "inputs": { "color": { "srgb": "#ff8000" } } } }, "roots": { "material": { "node": "n" } } }"##;
     NUMERIC_HAZARD "numeric-hazard" Warning "A number that means nothing where it arrives",
         "A constant, the range of a parameter, or what other nodes surely make of such lets a node divide by zero or raise a negative number to a power. The result is defined, and the same in every engine, but hardly what is wanted. A node evaluated under a condition on the same values, as in `select` with `less`, is not reported.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "divide", "inputs": { "b": 0 } } }, "roots": { "material": { "node": "n" } } }"#,

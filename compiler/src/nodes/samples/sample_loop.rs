@@ -12,7 +12,7 @@ node! {
         count: integer = 16, in 0.0..=65_536.0;
     }
     scoped {
-        /// What one sample yields; may read the outputs of `sample`.
+        /// What one sample yields; may read the outputs of `sample`, which nodes that draw a direction do by default.
         body: generic = 0.0;
     }
     outputs {

@@ -7,7 +7,7 @@ pub fn definition() -> Definition {
         "sample",
         "The sample of the loop round this node: its number, and two numbers drawn for it, evenly spread over \
          the unit square. They are drawn anew for each point, sample and loop, the same in all engines; only \
-         inside a sample loop.",
+         inside a sample loop. Nodes that draw a direction take the two numbers by default.",
         [("index", Field::SampleIndex), ("u", Field::SampleU), ("v", Field::SampleV)],
     )
 }
