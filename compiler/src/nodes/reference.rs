@@ -29,7 +29,10 @@ pub fn reference(library: &NodeLibrary) -> String {
          must be given. An input *demanded only where …* is not evaluated elsewhere.\nRanges hold per \
          component (of a colour: red, green and blue) for the values that arrive.\n",
     );
-    page.push_str("`phenomenon nodes --search WORD` finds nodes by what they do and by what others call them.\n\n");
+    page.push_str("`phenomenon nodes --search WORD` finds nodes by what they do and by what others call them.\n");
+    page.push_str(
+        "Pictures of nodes that change a colour show it above, and below what becomes of it.\n\n",
+    );
     for group in library.groups() {
         let nodes = library.iter().map(|(_, definition)| &definition.signature);
         let nodes = nodes.filter(|node| node.group == group.name);

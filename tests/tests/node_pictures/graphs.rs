@@ -54,6 +54,36 @@ const GIVEN: &[(&str, &str, &str)] = &[
     ("combine_color", "r", r#"{ "node": "here", "output": "u" }"#),
     ("combine_color", "g", r#"{ "node": "here", "output": "v" }"#),
     ("combine_color", "b", "0.4"),
+    ("adjust_hsv", "hue", "0.35"),
+    ("color_correct", "hue", "0.5"),
+    ("color_correct", "saturation", "0.6"),
+    ("color_correct", "contrast", "1.5"),
+    ("contrast", "amount", "2.5"),
+    ("exposure", "stops", "1.2"),
+    ("gamma", "gamma", "2.2"),
+    ("saturation", "amount", "0.25"),
+    ("overlay", "base", r#"{ "node": "sunset" }"#),
+    ("overlay", "layer", r#"{ "node": "spectrum" }"#),
+    ("blinn", "ior", "8"),
+    ("torrance_sparrow", "ior", "8"),
+    ("ggx", "f0", "[0.75, 0.3, 0.12]"),
+    ("ggx", "roughness_u", "0.35"),
+    ("ggx", "roughness_v", "0.35"),
+    ("ashikhmin_shirley", "specular", "[0.4, 0.4, 0.4]"),
+    ("ashikhmin_shirley", "diffuse", "[0.75, 0.3, 0.12]"),
+];
+
+/// Nodes that change a colour: above is the colour before, and below what they make of it.
+const CHANGES: [&str; 9] = [
+    "adjust_hsv",
+    "color_correct",
+    "contrast",
+    "decode_color",
+    "exposure",
+    "gamma",
+    "linear_to_srgb",
+    "saturation",
+    "srgb_to_linear",
 ];
 
 /// Outputs that show more than the first does.
@@ -113,6 +143,7 @@ fn surroundings() -> Map<String, Value> {
         "spectrum": { "type": "hsv_to_rgb", "inputs": { "hue": { "node": "here", "output": "u" } } },
         "sunset": { "type": "mix", "inputs": { "weight": { "node": "here", "output": "v" },
             "a": [0.05, 0.1, 0.3], "b": [1, 0.75, 0.3] } },
+        "muted": { "type": "mix", "inputs": { "weight": 0.6, "a": { "node": "spectrum" }, "b": 0.2 } },
     });
     nodes.as_object().expect("an object").clone()
 }
@@ -133,6 +164,9 @@ fn given(signature: &Signature, input: &Input, stage: Stage, values: &mut usize)
     let is_color = matches!(input.value_type, Type::Color | Type::Generic);
     if signature.group == "shading" && input.name == "color" {
         return Some(json!([0.75, 0.3, 0.12]));
+    }
+    if CHANGES.contains(&&*signature.name) && is_color {
+        return Some(json!({ "node": "muted" }));
     }
     if signature.group == "color" && is_color {
         *values += 1;
@@ -157,7 +191,7 @@ fn shown(signature: &Signature) -> &Output {
     output.expect("a node has outputs")
 }
 
-/// A value as a colour: under the lights for shading, a vector by its components, what is as often below
+/// A value as a colour: under the lights for shading, below the colour before it for what changes one, a vector by its components, what is as often below
 /// zero as above with zero in the middle.
 fn colored(
     nodes: &mut Map<String, Value>,
@@ -178,6 +212,10 @@ fn colored(
         let inputs =
             json!({ "texture": { "texture": "tiles.png" }, "u": part("u"), "v": part("v") });
         return add("picture", json!({ "type": "texture_lookup", "inputs": inputs }));
+    }
+    if CHANGES.contains(&&*signature.name) {
+        let inputs = json!({ "top": { "node": "muted" }, "bottom": value });
+        return add("both", json!({ "type": "split_top_bottom", "inputs": inputs }));
     }
     let (low, high) = (*output.range.start(), *output.range.end());
     if output.value_type == Type::Scalar && (-10.0..0.0).contains(&low) && high == -low {
