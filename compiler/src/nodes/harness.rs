@@ -113,6 +113,31 @@ pub fn assert_close(values: &[f32], expected: &[f64], relative: f64, absolute: f
     }
 }
 
+/// A division of integers, rounded down, as 64 bits have it.
+#[derive(Clone, Copy, Debug)]
+pub struct Division {
+    /// What is divided.
+    pub a: i32,
+    /// What it is divided by.
+    pub b: i32,
+    /// The quotient.
+    pub quotient: i32,
+    /// What is left.
+    pub remainder: i32,
+}
+
+/// Divisions of hard integers by each other.
+pub fn floored_divisions() -> impl Iterator<Item = Division> {
+    let hard = [i32::MIN, i32::MIN + 1, -16_777_217, -3, -1, 1, 2, 3, 10, 4097, 16_777_217];
+    let hard = hard.into_iter().chain([i32::MAX - 1, i32::MAX]);
+    hard.clone().flat_map(move |a| hard.clone().map(move |b| (a, b))).map(|(a, b)| {
+        let (wide, by) = (i64::from(a), i64::from(b));
+        let down = wide.div_euclid(by) - i64::from(by < 0 && wide.rem_euclid(by) != 0);
+        // Only the least number by -1 does not fit, and wraps.
+        Division { a, b, quotient: down as i32, remainder: (wide - down * by) as i32 }
+    })
+}
+
 /// The type with [`Type::Generic`] replaced.
 ///
 /// # Panics

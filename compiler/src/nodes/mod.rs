@@ -12,6 +12,8 @@ mod adding_a_node;
 mod agreement;
 #[cfg(test)]
 mod fixed_inputs;
+#[cfg(test)]
+mod lit_from_above;
 
 pub mod finite;
 mod library;

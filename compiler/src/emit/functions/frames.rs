@@ -31,9 +31,45 @@ fn across<R: Real>(vector: Vector<R>, normal: Vector<R>) -> Vector<R> {
     vector - normal * vector.dot(normal)
 }
 
-/// The vector whose components along tangent, bitangent (normal × tangent) and normal are given.
-#[inline(always)]
-pub fn from_frame<R: Real>(vector: Vector<R>, tangent: Vector<R>, normal: Vector<R>) -> Vector<R> {
-    let bitangent = normal.cross(tangent);
-    tangent.mul_add(vector.x, bitangent.mul_add(vector.y, normal * vector.z))
+/// Three axes at right angles, each of unit length.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<R: Real> {
+    /// Along the surface.
+    pub u: Vector<R>,
+    /// Along the surface, `n × u`.
+    pub v: Vector<R>,
+    /// The normal.
+    pub n: Vector<R>,
+}
+
+impl<R: Real> Frame<R> {
+    /// The frame of a unit normal and a unit tangent at right angles to it.
+    #[inline(always)]
+    pub fn square(n: Vector<R>, tangent: Vector<R>) -> Self {
+        Self { u: tangent, v: n.cross(tangent), n }
+    }
+
+    /// Any frame round a unit normal: that of [`any_tangent`].
+    #[inline(always)]
+    pub fn around(n: Vector<R>) -> Self {
+        Self::square(n, any_tangent(n))
+    }
+
+    /// The frame of a unit normal whose tangent runs along a vector: that of [`tangent_along`].
+    #[inline(always)]
+    pub fn along(n: Vector<R>, vector: Vector<R>) -> Self {
+        Self::square(n, tangent_along(vector, n))
+    }
+
+    /// A vector of the world in this frame.
+    #[inline(always)]
+    pub fn local(&self, vector: Vector<R>) -> Vector<R> {
+        Vector { x: vector.dot(self.u), y: vector.dot(self.v), z: vector.dot(self.n) }
+    }
+
+    /// A vector of this frame in the world.
+    #[inline(always)]
+    pub fn world(&self, vector: Vector<R>) -> Vector<R> {
+        self.u.mul_add(vector.x, self.v.mul_add(vector.y, self.n * vector.z))
+    }
 }

@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use super::conventions::not_negative;
 use super::distributions::{BECKMANN, ELLIPSOID, distribution};
 use super::facets::Facets;
-use super::surface_frame::Frame;
+use super::frames::Frame;
 use crate::emit::{Real, Vector};
 
 /// A drawn number, 0 to the largest number below 1.
@@ -29,7 +29,7 @@ pub fn cosine_direction<R: Real>(normal: Vector<R>, first: R, second: R) -> Vect
     let radius = first.sqrt();
     let (x, y) = turned(second);
     let height = (first.same(1.0) - first).sqrt();
-    Frame::around(normal).world(x * radius, y * radius, height).normalized()
+    Frame::around(normal).world(Vector { x: x * radius, y: y * radius, z: height }).normalized()
 }
 
 /// The density of [`cosine_direction`].

@@ -19,4 +19,3 @@ pub mod placing;
 pub mod reflected;
 pub mod rotation;
 pub mod shaping;
-pub mod surface_frame;

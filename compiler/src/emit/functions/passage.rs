@@ -1,5 +1,6 @@
-//! From one value to another.
+//! From one value to another, or to nothing.
 
+use super::conventions::clamp_finite;
 use crate::emit::{Components, Mask, Real};
 
 /// `a (1 - weight) + b weight` in every component, alpha too. At weight 0 and 1 the other side leaves no
@@ -16,4 +17,15 @@ pub fn mixed<R: Real, T: Components<R>>(a: T, b: T, weight: R) -> T {
     }
     let with_a = weight.not_equal(one).select(T::from_words(mixed), b);
     weight.not_equal(zero).select(with_a, a)
+}
+
+/// A share of a value in every component, alpha too; 0, without a trace of the value, where it does not show.
+#[inline(always)]
+pub fn cut<R: Real, T: Components<R>>(value: T, share: R, shows: R::Mask) -> T {
+    let zero = share.same(0.0);
+    let mut words = value.to_words();
+    for word in &mut words {
+        *word = clamp_finite(*word * share);
+    }
+    shows.select(T::from_words(words), T::from_words([zero; 4]))
 }

@@ -1,8 +1,8 @@
 use crate::emit::functions::facets::Facets;
+use crate::emit::functions::frames::Frame;
 use crate::emit::functions::lobes::mirrored_density;
-use crate::emit::functions::surface_frame::Frame;
 use crate::nodes::brdf::ashikhmin_shirley_brdf::lobe;
-use crate::nodes::{NOT_NEGATIVE, state};
+use crate::nodes::{NOT_NEGATIVE, node, state};
 use crate::state::Field;
 
 node! {
@@ -17,13 +17,13 @@ node! {
         direction: vector = state(Field::LightDirection), in -1.0..=1.0;
         /// Direction of the ray, towards the surface, unit length.
         ray: vector = state(Field::Direction), in -1.0..=1.0;
-        /// Direction along the surface that `roughness_u` and its like go by; put at right angles to the
-        /// normal. Any is taken where this is zero or along the normal.
-        tangent: vector = [0.0, 1.0, 0.0], in -1.0..=1.0;
+        /// Direction along the surface that `exponent_u` goes by, by default that of u; put at right
+        /// angles to the normal. Any is taken where this is zero or along the normal.
+        tangent: vector = node("frame_from_derivatives"), in -1.0..=1.0;
         /// How narrow the lobe is along the tangent.
-        exponent_u: scalar = 10.0, in 0.0..=1e8;
+        exponent_u: scalar = 10.0, in 0.0..=1e8, soft 1.0..=1e4;
         /// How narrow it is across.
-        exponent_v: scalar = 100.0, in 0.0..=1e8;
+        exponent_v: scalar = 100.0, in 0.0..=1e8, soft 1.0..=1e4;
     }
     outputs {
         /// The density, per steradian.
@@ -31,7 +31,7 @@ node! {
     }
     body |e, i| {
         let facets = Facets::of(i.normal, i.direction, i.ray);
-        let frame = Frame::of(i.normal, i.tangent);
+        let frame = Frame::along(i.normal, i.tangent);
         let of_half = lobe(&facets, &frame, i.exponent_u, i.exponent_v);
         Outputs { density: mirrored_density(&facets, of_half) }
     }

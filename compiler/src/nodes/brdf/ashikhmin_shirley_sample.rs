@@ -1,10 +1,10 @@
-use crate::emit::Real;
 use crate::emit::functions::facets::Facets;
+use crate::emit::functions::frames::Frame;
 use crate::emit::functions::lobes::{drawn, mirrored_at, mirrored_density, turned};
-use crate::emit::functions::surface_frame::Frame;
+use crate::emit::{Real, Vector};
 use crate::nodes::brdf::ashikhmin_shirley_brdf::lobe;
 use crate::nodes::finite::UNIT;
-use crate::nodes::{NOT_NEGATIVE, required, state};
+use crate::nodes::{NOT_NEGATIVE, node, state};
 use crate::state::Field;
 
 node! {
@@ -18,17 +18,17 @@ node! {
         normal: vector = state(Field::Normal), in -1.0..=1.0;
         /// Direction of the ray, towards the surface, unit length.
         ray: vector = state(Field::Direction), in -1.0..=1.0;
-        /// Direction along the surface that `roughness_u` and its like go by; put at right angles to the
-        /// normal. Any is taken where this is zero or along the normal.
-        tangent: vector = [0.0, 1.0, 0.0], in -1.0..=1.0;
+        /// Direction along the surface that `exponent_u` goes by, by default that of u; put at right
+        /// angles to the normal. Any is taken where this is zero or along the normal.
+        tangent: vector = node("frame_from_derivatives"), in -1.0..=1.0;
         /// How narrow the lobe is along the tangent.
-        exponent_u: scalar = 10.0, in 0.0..=1e8;
+        exponent_u: scalar = 10.0, in 0.0..=1e8, soft 1.0..=1e4;
         /// How narrow it is across.
-        exponent_v: scalar = 100.0, in 0.0..=1e8;
-        /// First number the direction is drawn by, 0 to below 1.
-        first: scalar = required(), in UNIT;
-        /// Second number the direction is drawn by, 0 to below 1.
-        second: scalar = required(), in UNIT;
+        exponent_v: scalar = 100.0, in 0.0..=1e8, soft 1.0..=1e4;
+        /// First number the direction is drawn by, 0 to below 1; by default that of the sample.
+        first: scalar = state(Field::SampleU), in UNIT;
+        /// Second number the direction is drawn by, 0 to below 1; by default that of the sample.
+        second: scalar = state(Field::SampleV), in UNIT;
     }
     outputs {
         /// Unit direction towards where the light comes from; it may lie below the surface, where nothing is reflected.
@@ -37,7 +37,7 @@ node! {
         density: scalar, in NOT_NEGATIVE;
     }
     body |e, i| {
-        let frame = Frame::of(i.normal, i.tangent);
+        let frame = Frame::along(i.normal, i.tangent);
         let (a, b) = (i.exponent_u + 1.0, i.exponent_v + 1.0);
         let (x, y) = turned(i.second);
         let (x, y) = (x * b.sqrt(), y * a.sqrt());
@@ -46,7 +46,7 @@ node! {
         let exponent = (i.exponent_u * x).mul_add(x, i.exponent_v * y * y);
         // tan^2, where cos^(exponent + 1) is drawn.
         let slope = ((-drawn(i.first)).log1p() * -2.0 / (exponent + 1.0)).expm1().sqrt();
-        let half = frame.world(x * slope, y * slope, e.real(1.0)).normalized();
+        let half = frame.world(Vector { x: x * slope, y: y * slope, z: e.real(1.0) }).normalized();
         let direction = mirrored_at(half, i.ray);
         let facets = Facets::of(i.normal, direction, i.ray);
         Outputs { direction, density: mirrored_density(&facets, lobe(&facets, &frame, i.exponent_u, i.exponent_v)) }

@@ -1,9 +1,9 @@
 use crate::emit::functions::conventions::not_negative;
-use crate::emit::functions::surface_frame::Frame;
+use crate::emit::functions::frames::Frame;
 use crate::emit::{Mask, Real};
 use crate::nodes::brdf::ggx_brdf::Ggx;
 use crate::nodes::finite::UNIT;
-use crate::nodes::{NOT_NEGATIVE, state};
+use crate::nodes::{NOT_NEGATIVE, node, state};
 use crate::state::Field;
 
 node! {
@@ -18,9 +18,9 @@ node! {
         direction: vector = state(Field::LightDirection), in -1.0..=1.0;
         /// Direction of the ray, towards the surface, unit length.
         ray: vector = state(Field::Direction), in -1.0..=1.0;
-        /// Direction along the surface that `roughness_u` and its like go by; put at right angles to the
-        /// normal. Any is taken where this is zero or along the normal.
-        tangent: vector = [0.0, 1.0, 0.0], in -1.0..=1.0;
+        /// Direction along the surface that `roughness_u` goes by, by default that of u; put at right
+        /// angles to the normal. Any is taken where this is zero or along the normal.
+        tangent: vector = node("frame_from_derivatives"), in -1.0..=1.0;
         /// Roughness alpha along the tangent.
         roughness_u: scalar = 0.2, in UNIT;
         /// Roughness alpha across it.
@@ -31,7 +31,7 @@ node! {
         density: scalar, in NOT_NEGATIVE;
     }
     body |e, i| {
-        let frame = Frame::of(i.normal, i.tangent);
+        let frame = Frame::along(i.normal, i.tangent);
         Outputs { density: density(&Ggx::of(&frame, i.direction, i.ray, i.roughness_u, i.roughness_v)) }
     }
 }

@@ -1,12 +1,12 @@
 use crate::emit::functions::conventions::sqrt_or_zero;
 use crate::emit::functions::distributions::roughness;
+use crate::emit::functions::frames::Frame;
 use crate::emit::functions::lobes::{drawn, mirrored_at, turned};
-use crate::emit::functions::surface_frame::Frame;
 use crate::emit::{Real, Vector};
 use crate::nodes::brdf::ggx_brdf::Ggx;
 use crate::nodes::brdf::ggx_density::density;
 use crate::nodes::finite::UNIT;
-use crate::nodes::{NOT_NEGATIVE, required, state};
+use crate::nodes::{NOT_NEGATIVE, node, state};
 use crate::state::Field;
 
 node! {
@@ -20,17 +20,17 @@ node! {
         normal: vector = state(Field::Normal), in -1.0..=1.0;
         /// Direction of the ray, towards the surface, unit length.
         ray: vector = state(Field::Direction), in -1.0..=1.0;
-        /// Direction along the surface that `roughness_u` and its like go by; put at right angles to the
-        /// normal. Any is taken where this is zero or along the normal.
-        tangent: vector = [0.0, 1.0, 0.0], in -1.0..=1.0;
+        /// Direction along the surface that `roughness_u` goes by, by default that of u; put at right
+        /// angles to the normal. Any is taken where this is zero or along the normal.
+        tangent: vector = node("frame_from_derivatives"), in -1.0..=1.0;
         /// Roughness alpha along the tangent.
         roughness_u: scalar = 0.2, in UNIT;
         /// Roughness alpha across it.
         roughness_v: scalar = 0.2, in UNIT;
-        /// First number the direction is drawn by, 0 to below 1.
-        first: scalar = required(), in UNIT;
-        /// Second number the direction is drawn by, 0 to below 1.
-        second: scalar = required(), in UNIT;
+        /// First number the direction is drawn by, 0 to below 1; by default that of the sample.
+        first: scalar = state(Field::SampleU), in UNIT;
+        /// Second number the direction is drawn by, 0 to below 1; by default that of the sample.
+        second: scalar = state(Field::SampleV), in UNIT;
     }
     outputs {
         /// Unit direction towards where the light comes from; it may lie below the surface, where nothing is reflected.
@@ -39,7 +39,7 @@ node! {
         density: scalar, in NOT_NEGATIVE;
     }
     body |e, i| {
-        let frame = Frame::of(i.normal, i.tangent);
+        let frame = Frame::along(i.normal, i.tangent);
         let (u, v) = (roughness(i.roughness_u), roughness(i.roughness_v));
         let viewer = -frame.local(i.ray);
         let flat = Vector { x: viewer.x * u, y: viewer.y * v, z: viewer.z }.normalized();
@@ -47,7 +47,8 @@ node! {
         let (x, y) = turned(i.second);
         let z = (one - drawn(i.first)).mul_add(flat.z + 1.0, -flat.z);
         let radius = sqrt_or_zero((one - z) * (one + z));
-        let half = frame.world((x * radius + flat.x) * u, (y * radius + flat.y) * v, z + flat.z).normalized();
+        let (x, y) = (x * radius + flat.x, y * radius + flat.y);
+        let half = frame.world(Vector { x: x * u, y: y * v, z: z + flat.z }).normalized();
         let direction = mirrored_at(half, i.ray);
         let ggx = Ggx::of(&frame, direction, i.ray, u, v);
         Outputs { direction, density: density(&ggx) }

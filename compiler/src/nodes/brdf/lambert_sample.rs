@@ -1,6 +1,6 @@
 use crate::emit::functions::lobes::{cosine_density, cosine_direction};
 use crate::nodes::finite::UNIT;
-use crate::nodes::{NOT_NEGATIVE, required, state};
+use crate::nodes::{NOT_NEGATIVE, state};
 use crate::state::Field;
 
 node! {
@@ -11,10 +11,10 @@ node! {
     inputs {
         /// Shading normal, unit length.
         normal: vector = state(Field::Normal), in -1.0..=1.0;
-        /// First number the direction is drawn by, 0 to below 1.
-        first: scalar = required(), in UNIT;
-        /// Second number the direction is drawn by, 0 to below 1.
-        second: scalar = required(), in UNIT;
+        /// First number the direction is drawn by, 0 to below 1; by default that of the sample.
+        first: scalar = state(Field::SampleU), in UNIT;
+        /// Second number the direction is drawn by, 0 to below 1; by default that of the sample.
+        second: scalar = state(Field::SampleV), in UNIT;
     }
     outputs {
         /// Unit direction towards where the light comes from.

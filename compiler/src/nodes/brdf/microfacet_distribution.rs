@@ -55,14 +55,4 @@ mod tests {
             0.0,
         );
     }
-
-    #[test]
-    fn nothing_is_reflected_from_behind() {
-        for direction in [DOWN, [1.0, 0.0, 0.0], [0.0; 3], [f32::NAN; 3]] {
-            let from_behind = numbers!(normal = UP, direction = direction, ray = DOWN => value);
-            assert!(from_behind[..from_behind.len().min(3)].iter().all(|&value| value == 0.0));
-            let to_behind = numbers!(normal = UP, direction = UP, ray = UP => value);
-            assert!(to_behind[..to_behind.len().min(3)].iter().all(|&value| value == 0.0));
-        }
-    }
 }

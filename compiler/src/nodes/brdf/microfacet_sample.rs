@@ -1,9 +1,10 @@
+use crate::emit::Vector;
 use crate::emit::functions::distributions::{SAMPLED_DISTRIBUTIONS, roughness};
 use crate::emit::functions::facets::Facets;
+use crate::emit::functions::frames::Frame;
 use crate::emit::functions::lobes::{drawn_slope, facet_density, mirrored_at, turned};
-use crate::emit::functions::surface_frame::Frame;
 use crate::nodes::finite::UNIT;
-use crate::nodes::{NOT_NEGATIVE, required, state};
+use crate::nodes::{NOT_NEGATIVE, state};
 use crate::state::Field;
 
 node! {
@@ -21,10 +22,10 @@ node! {
         roughness: scalar = 0.3, in UNIT;
         /// The distribution of their normals.
         distribution: choice = 0, of SAMPLED_DISTRIBUTIONS;
-        /// First number the direction is drawn by, 0 to below 1.
-        first: scalar = required(), in UNIT;
-        /// Second number the direction is drawn by, 0 to below 1.
-        second: scalar = required(), in UNIT;
+        /// First number the direction is drawn by, 0 to below 1; by default that of the sample.
+        first: scalar = state(Field::SampleU), in UNIT;
+        /// Second number the direction is drawn by, 0 to below 1; by default that of the sample.
+        second: scalar = state(Field::SampleV), in UNIT;
     }
     outputs {
         /// Unit direction towards where the light comes from; it may lie below the surface, where nothing is reflected.
@@ -36,7 +37,8 @@ node! {
         let m = roughness(i.roughness);
         let slope = drawn_slope(i.distribution, i.first, m);
         let (x, y) = turned(i.second);
-        let half = Frame::around(i.normal).world(x * slope, y * slope, e.real(1.0)).normalized();
+        let local = Vector { x: x * slope, y: y * slope, z: e.real(1.0) };
+        let half = Frame::around(i.normal).world(local).normalized();
         let direction = mirrored_at(half, i.ray);
         let facets = Facets::of(i.normal, direction, i.ray);
         Outputs { direction, density: facet_density(i.distribution, &facets, m) }

@@ -20,7 +20,7 @@ node! {
         /// Direction of the ray, towards the surface, unit length.
         ray: vector = state(Field::Direction), in -1.0..=1.0;
         /// How narrow the lobe is.
-        exponent: scalar = 20.0, in 0.0..=1e8;
+        exponent: scalar = 20.0, in 0.0..=1e8, soft 1.0..=1000.0;
     }
     outputs {
         /// The density, per steradian.

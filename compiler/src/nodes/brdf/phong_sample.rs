@@ -1,10 +1,10 @@
-use crate::emit::Real;
 use crate::emit::functions::facets::Facets;
+use crate::emit::functions::frames::Frame;
 use crate::emit::functions::lobes::{drawn, mirrored_at, turned};
-use crate::emit::functions::surface_frame::Frame;
+use crate::emit::{Real, Vector};
 use crate::nodes::brdf::phong_density::density;
 use crate::nodes::finite::UNIT;
-use crate::nodes::{NOT_NEGATIVE, required, state};
+use crate::nodes::{NOT_NEGATIVE, state};
 use crate::state::Field;
 
 node! {
@@ -17,11 +17,11 @@ node! {
         /// Direction of the ray, towards the surface, unit length.
         ray: vector = state(Field::Direction), in -1.0..=1.0;
         /// How narrow the lobe is.
-        exponent: scalar = 20.0, in 0.0..=1e8;
-        /// First number the direction is drawn by, 0 to below 1.
-        first: scalar = required(), in UNIT;
-        /// Second number the direction is drawn by, 0 to below 1.
-        second: scalar = required(), in UNIT;
+        exponent: scalar = 20.0, in 0.0..=1e8, soft 1.0..=1000.0;
+        /// First number the direction is drawn by, 0 to below 1; by default that of the sample.
+        first: scalar = state(Field::SampleU), in UNIT;
+        /// Second number the direction is drawn by, 0 to below 1; by default that of the sample.
+        second: scalar = state(Field::SampleV), in UNIT;
     }
     outputs {
         /// Unit direction towards where the light comes from; it may lie below the surface, where nothing is reflected.
@@ -36,7 +36,8 @@ node! {
         let off = -log.expm1();
         let sine = (off * (e.real(2.0) - off)).sqrt();
         let (x, y) = turned(i.second);
-        let direction = Frame::around(mirror).world(x * sine, y * sine, e.real(1.0) - off).normalized();
+        let local = Vector { x: x * sine, y: y * sine, z: e.real(1.0) - off };
+        let direction = Frame::around(mirror).world(local).normalized();
         Outputs { direction, density: density(&Facets::of(i.normal, direction, i.ray), i.exponent) }
     }
 }

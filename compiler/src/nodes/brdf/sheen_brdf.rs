@@ -69,14 +69,4 @@ mod tests {
         let expected = (2.0 + 2.0) / std::f64::consts::TAU * 0.64 / (4.0 * (1.2 - 0.36));
         crate::nodes::harness::assert_close(&[value], &[expected], 1e-6, 0.0);
     }
-
-    #[test]
-    fn nothing_is_reflected_from_behind() {
-        for direction in [DOWN, [1.0, 0.0, 0.0], [0.0; 3], [f32::NAN; 3]] {
-            let from_behind = numbers!(normal = UP, direction = direction, ray = DOWN => value);
-            assert!(from_behind[..from_behind.len().min(3)].iter().all(|&value| value == 0.0));
-            let to_behind = numbers!(normal = UP, direction = UP, ray = UP => value);
-            assert!(to_behind[..to_behind.len().min(3)].iter().all(|&value| value == 0.0));
-        }
-    }
 }

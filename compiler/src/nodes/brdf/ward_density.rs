@@ -1,11 +1,11 @@
 use crate::emit::Real;
 use crate::emit::functions::distributions::roughness;
 use crate::emit::functions::facets::Facets;
+use crate::emit::functions::frames::Frame;
 use crate::emit::functions::lobes::mirrored_density;
-use crate::emit::functions::surface_frame::Frame;
 use crate::nodes::brdf::ward_brdf::gaussian;
 use crate::nodes::finite::UNIT;
-use crate::nodes::{NOT_NEGATIVE, state};
+use crate::nodes::{NOT_NEGATIVE, node, state};
 use crate::state::Field;
 
 node! {
@@ -20,9 +20,9 @@ node! {
         direction: vector = state(Field::LightDirection), in -1.0..=1.0;
         /// Direction of the ray, towards the surface, unit length.
         ray: vector = state(Field::Direction), in -1.0..=1.0;
-        /// Direction along the surface that `roughness_u` and its like go by; put at right angles to the
-        /// normal. Any is taken where this is zero or along the normal.
-        tangent: vector = [0.0, 1.0, 0.0], in -1.0..=1.0;
+        /// Direction along the surface that `roughness_u` goes by, by default that of u; put at right
+        /// angles to the normal. Any is taken where this is zero or along the normal.
+        tangent: vector = node("frame_from_derivatives"), in -1.0..=1.0;
         /// Roughness along the tangent.
         roughness_u: scalar = 0.2, in UNIT;
         /// Roughness across it.
@@ -34,7 +34,7 @@ node! {
     }
     body |e, i| {
         let facets = Facets::of(i.normal, i.direction, i.ray);
-        let frame = Frame::of(i.normal, i.tangent);
+        let frame = Frame::along(i.normal, i.tangent);
         let density = density(&facets, &frame, roughness(i.roughness_u), roughness(i.roughness_v));
         Outputs { density }
     }

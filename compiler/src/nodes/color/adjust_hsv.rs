@@ -15,11 +15,11 @@ node! {
         /// The colour.
         color: color = BLACK, in FACTOR;
         /// Turns that are added to the hue.
-        hue: scalar = 0.0, in FACTOR;
+        hue: scalar = 0.0, in FACTOR, unit "turns", soft -0.5..=0.5;
         /// Factor on the saturation.
-        saturation: scalar = 1.0, in 0.0..=1e6;
+        saturation: scalar = 1.0, in 0.0..=1e6, soft 0.0..=2.0;
         /// Factor on the value.
-        value: scalar = 1.0, in -1e6..=1e6;
+        value: scalar = 1.0, in -1e6..=1e6, soft 0.0..=2.0;
     }
     outputs {
         /// The colour.

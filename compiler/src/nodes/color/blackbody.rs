@@ -11,8 +11,8 @@ node! {
     blackbody in color,
     source "Kang et al. 2002, Design of Advanced Color Temperature Control System for HDTV Applications; ITU-R BT.709",
     inputs {
-        /// Temperature in kelvin.
-        temperature: scalar = 6500.0, in 1667.0..=25000.0;
+        /// Temperature.
+        temperature: scalar = 6500.0, in 1667.0..=25000.0, unit "kelvin";
     }
     outputs {
         /// The colour, of luminance 1.

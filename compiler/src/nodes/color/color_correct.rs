@@ -17,21 +17,21 @@ node! {
         /// The colour.
         color: color = WHITE, in -1e6..=1e6;
         /// Turns that are added to the hue.
-        hue: scalar = 0.0, in FACTOR;
+        hue: scalar = 0.0, in FACTOR, unit "turns", soft -0.5..=0.5;
         /// 0 is grey, 1 changes nothing.
-        saturation: scalar = 1.0, in -1e3..=1e3;
+        saturation: scalar = 1.0, in -1e3..=1e3, soft 0.0..=2.0;
         /// Above 1 brightens the middle.
-        gamma: scalar = 1.0, avoid zero;
+        gamma: scalar = 1.0, avoid zero, soft 0.2..=5.0;
         /// What black becomes.
-        lift: scalar = 0.0, in -1e3..=1e3;
+        lift: scalar = 0.0, in -1e3..=1e3, soft -0.5..=0.5;
         /// Factor.
-        gain: scalar = 1.0, in -1e3..=1e3;
+        gain: scalar = 1.0, in -1e3..=1e3, soft 0.0..=2.0;
         /// Factor on the distance from the pivot.
-        contrast: scalar = 1.0, in -1e3..=1e3;
+        contrast: scalar = 1.0, in -1e3..=1e3, soft 0.0..=2.0;
         /// The value that contrast leaves alone.
-        pivot: scalar = 0.5, in -1e3..=1e3;
+        pivot: scalar = 0.5, in -1e3..=1e3, soft 0.0..=1.0;
         /// Stops: one more is twice the light.
-        exposure: scalar = 0.0;
+        exposure: scalar = 0.0, unit "stops", soft -5.0..=5.0;
     }
     outputs {
         /// The colour.

@@ -1,5 +1,5 @@
 use crate::emit::Real;
-use crate::nodes::finite::FACTOR;
+use crate::nodes::finite::{FACTOR, UNIT};
 
 node! {
     /// Contrast about a pivot, per component: `pivot + (input - pivot) amount`. An amount of 1
@@ -11,9 +11,9 @@ node! {
         /// What is changed.
         input: generic = 0.0, in FACTOR;
         /// The value that stays; 0.18 is middle grey.
-        pivot: scalar = 0.18, in FACTOR;
+        pivot: scalar = 0.18, in FACTOR, soft UNIT;
         /// Factor on the distance from the pivot.
-        amount: scalar = 1.0, in FACTOR;
+        amount: scalar = 1.0, in FACTOR, soft 0.0..=2.0;
     }
     outputs {
         /// The value with its new contrast.

@@ -10,7 +10,7 @@ node! {
         /// What is exposed.
         input: generic = 0.0;
         /// Stops: one more is twice the light.
-        stops: scalar = 0.0;
+        stops: scalar = 0.0, unit "stops", soft -5.0..=5.0;
     }
     outputs {
         /// The value.

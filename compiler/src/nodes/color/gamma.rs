@@ -11,7 +11,7 @@ node! {
         /// What is corrected.
         input: generic = 0.0;
         /// The gamma.
-        gamma: generic = 1.0, avoid zero;
+        gamma: generic = 1.0, avoid zero, soft 0.2..=5.0;
     }
     outputs {
         /// The value.

@@ -1,6 +1,6 @@
 use crate::emit::functions::colors::pure_hue;
 use crate::emit::{Color, Real};
-use crate::nodes::finite::FACTOR;
+use crate::nodes::finite::{FACTOR, UNIT};
 
 node! {
     /// Colour from hue, saturation and lightness: `lightness + c (pure - 1/2)` for the
@@ -9,12 +9,12 @@ node! {
     hsl_to_rgb in color,
     source "Joblove and Greenberg 1978, Color Spaces for Computer Graphics",
     inputs {
-        /// Hue in turns.
-        hue: scalar = 0.0;
+        /// Hue.
+        hue: scalar = 0.0, unit "turns", soft UNIT;
         /// Saturation: 0 grey, 1 pure.
-        saturation: scalar = 1.0, in FACTOR;
+        saturation: scalar = 1.0, in FACTOR, soft UNIT;
         /// Lightness: 0 black, 1 white.
-        lightness: scalar = 0.5, in FACTOR;
+        lightness: scalar = 0.5, in FACTOR, soft UNIT;
     }
     outputs {
         /// The colour.

@@ -14,7 +14,7 @@ node! {
         /// The colour.
         color: color = BLACK, in FACTOR;
         /// How pure it is to be.
-        amount: scalar = 1.0, in FACTOR;
+        amount: scalar = 1.0, in FACTOR, soft 0.0..=2.0;
     }
     outputs {
         /// The colour.

@@ -9,8 +9,8 @@ node! {
     wavelength_to_color in color,
     source "Wyman, Sloan and Shirley 2013, Simple Analytic Approximations to the CIE XYZ Color Matching Functions",
     inputs {
-        /// Wavelength in nanometres.
-        wavelength: scalar = 555.0, in 0.0..=1e6;
+        /// Wavelength.
+        wavelength: scalar = 555.0, in 0.0..=1e6, unit "nanometres", soft 380.0..=730.0;
     }
     outputs {
         /// The colour.

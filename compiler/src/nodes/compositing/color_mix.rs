@@ -1,7 +1,7 @@
 use crate::emit::functions::conventions::clamp_finite;
 use crate::emit::{Color, Components, Real};
 use crate::nodes::BLACK;
-use crate::nodes::finite::FACTOR;
+use crate::nodes::finite::{FACTOR, UNIT};
 
 node! {
     /// One layer of mental ray's mib_color_mix, on all four components, with r the colour so
@@ -16,7 +16,7 @@ node! {
         /// How the layer is joined.
         mode: choice = 0, of ["blend", "mix", "add", "bounded_add", "multiply", "bounded_multiply", "replace_alpha"];
         /// Weight of the layer.
-        weight: scalar = 1.0, in FACTOR;
+        weight: scalar = 1.0, in FACTOR, soft UNIT;
         /// The colour so far.
         base: color = BLACK, in FACTOR;
         /// The layer.

@@ -1,6 +1,6 @@
-use crate::emit::functions::conventions::clamp_finite;
-use crate::emit::{Mask, Real};
-use crate::nodes::finite::FACTOR;
+use crate::emit::Real;
+use crate::emit::functions::passage::cut;
+use crate::nodes::finite::{FACTOR, UNIT};
 
 node! {
     /// What lies outside a mask: `input (1 - mask)`, alpha too. Where the mask is 1 the input
@@ -9,7 +9,7 @@ node! {
     source "MaterialX 1.39, outside",
     inputs {
         /// The mask.
-        mask: scalar = 0.0, in FACTOR;
+        mask: scalar = 0.0, in FACTOR, soft UNIT;
         /// What is cut.
         input: generic = 0.0, in FACTOR, when i.mask.not_equal(e.real(1.0));
     }
@@ -18,14 +18,8 @@ node! {
         result: generic;
     }
     body |e, i| {
-        let share = e.real(1.0) - i.mask;
-        let (words, zero) = (i.input.to_words(), e.real(0.0));
-        let mut cut = [zero; 4];
-        for k in 0..4 {
-            cut[k] = clamp_finite(words[k] * share);
-        }
-        let none = T::from_words([zero; 4]);
-        Outputs { result: (i.mask.not_equal(e.real(1.0))).select(T::from_words(cut), none) }
+        let (one, mask) = (e.real(1.0), i.mask);
+        Outputs { result: cut(i.input, one - mask, mask.not_equal(one)) }
     }
 }
 

@@ -16,7 +16,7 @@ node! {
         /// The direction, or the axis; of any length.
         direction: vector = [0.0, 1.0, 0.0], when e.mask(i.brush != 2);
         /// A point of the axis, or what it was brushed outwards from; scene units.
-        center: vector = [0.0; 3], in SUMMAND, when e.mask(i.brush != 0);
+        center: vector = [0.0; 3], in SUMMAND, when e.mask(i.brush != 0), unit "scene units";
         /// The point that is shaded, in the space of the centre.
         point: vector = state(Field::Point), in SUMMAND, when e.mask(i.brush != 0);
         /// Shading normal.

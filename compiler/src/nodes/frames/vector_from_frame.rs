@@ -1,4 +1,4 @@
-use crate::emit::functions::frames::from_frame;
+use crate::emit::functions::frames::Frame;
 use crate::nodes::finite::FACTOR;
 use crate::nodes::{node, state};
 use crate::state::Field;
@@ -20,7 +20,7 @@ node! {
         /// The vector.
         result: vector;
     }
-    body |e, i| Outputs { result: from_frame(i.vector, i.tangent, i.normal) }
+    body |e, i| Outputs { result: Frame::square(i.normal, i.tangent).world(i.vector) }
 }
 
 #[cfg(test)]

@@ -13,8 +13,8 @@ node! {
     inputs {
         /// What is left after one scene unit.
         color: generic = 0.9, in UNIT;
-        /// Length of the way in scene units; below 0 counts as 0.
-        distance: scalar = 0.0, in NOT_NEGATIVE;
+        /// Length of the way; below 0 counts as 0.
+        distance: scalar = 0.0, in NOT_NEGATIVE, unit "scene units";
         /// Whether the way ends: the `hit` of a trace.
         hit: boolean = true;
     }

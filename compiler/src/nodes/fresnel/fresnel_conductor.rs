@@ -15,9 +15,9 @@ node! {
     source "Born and Wolf, Principles of Optics, 14.2",
     inputs {
         /// Index of refraction.
-        ior: generic = 0.2, in 0.0..=1e6;
+        ior: generic = 0.2, in 0.0..=1e6, soft 0.1..=5.0;
         /// Extinction coefficient.
-        extinction: generic = 3.9, in 0.0..=1e6;
+        extinction: generic = 3.9, in 0.0..=1e6, soft 0.0..=10.0;
         /// Cosine between the light's direction and the normal, clamped to 0..1.
         cosine: scalar = 1.0, in -1.0..=1.0;
     }

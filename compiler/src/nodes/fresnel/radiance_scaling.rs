@@ -11,9 +11,9 @@ node! {
     source "Nicodemus 1963, Radiance; mental ray physics shaders, dielectric_material",
     inputs {
         /// Index of refraction on the side the ray comes from.
-        ior_in: scalar = 1.0, in 0.0..=100.0;
+        ior_in: scalar = 1.0, in 0.0..=100.0, soft 1.0..=2.5;
         /// Index of refraction beyond the boundary.
-        ior_out: scalar = 1.5, in 0.0..=100.0;
+        ior_out: scalar = 1.5, in 0.0..=100.0, soft 1.0..=2.5;
     }
     outputs {
         /// The factor.

@@ -19,16 +19,16 @@ node! {
     inputs {
         /// Cosine between the light's direction and the normal, clamped to 0..1.
         cosine: scalar = 1.0, in -1.0..=1.0;
-        /// Thickness of the film in nanometres.
-        thickness: scalar = 400.0, in 0.0..=10000.0;
+        /// Thickness of the film.
+        thickness: scalar = 400.0, in 0.0..=10000.0, unit "nanometres", soft 100.0..=1000.0;
         /// Index of refraction of the film.
-        ior_film: scalar = 1.33, in 0.0..=100.0;
+        ior_film: scalar = 1.33, in 0.0..=100.0, soft 1.0..=2.5;
         /// Index of refraction of what it lies on: 1 for a soap bubble.
-        ior_base: scalar = 1.5, in 0.0..=100.0;
+        ior_base: scalar = 1.5, in 0.0..=100.0, soft 1.0..=2.5;
         /// Index of refraction of what surrounds it.
-        ior_in: scalar = 1.0, in 0.0..=100.0;
-        /// Wavelengths of red, green and blue in nanometres.
-        wavelengths: vector = [612.0, 549.0, 464.0], in 100.0..=10000.0;
+        ior_in: scalar = 1.0, in 0.0..=100.0, soft 1.0..=2.5;
+        /// Wavelengths of red, green and blue.
+        wavelengths: vector = [612.0, 549.0, 464.0], in 100.0..=10000.0, unit "nanometres", soft 380.0..=730.0;
     }
     outputs {
         /// Share reflected for each colour; alpha is 1.

@@ -1,6 +1,6 @@
 use crate::emit::functions::gradient_noise::{Octaves, fractal};
 use crate::emit::{Color, Mask, Real, Vector};
-use crate::nodes::finite::{FACTOR, SUMMAND};
+use crate::nodes::finite::{FACTOR, SUMMAND, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -23,9 +23,9 @@ node! {
         /// How many octaves are summed.
         octaves: count = 3, in 1.0..=8.0;
         /// Factor on the position from one octave to the next.
-        lacunarity: scalar = 2.0, in -16.0..=16.0;
+        lacunarity: scalar = 2.0, in -16.0..=16.0, soft 1.5..=3.0;
         /// Factor on the share from one octave to the next.
-        gain: scalar = 0.5, in -16.0..=16.0;
+        gain: scalar = 0.5, in -16.0..=16.0, soft UNIT;
         /// What is summed.
         kind: choice = 0, of ["noise", "turbulence"];
         /// Whether the sum is divided by that of the shares' magnitudes.

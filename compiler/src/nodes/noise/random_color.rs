@@ -1,6 +1,7 @@
 use crate::emit::functions::cells::share_of;
 use crate::emit::functions::colors::from_hsv;
 use crate::emit::{Emit, Real};
+use crate::nodes::finite::UNIT;
 
 node! {
     /// A random colour for a number, the same at every look, its hue, saturation and value each evenly
@@ -10,18 +11,18 @@ node! {
     inputs {
         /// What the colour is of.
         input: scalar = 0.0;
-        /// Least hue, in turns.
-        hue_low: scalar = 0.0, in -100.0..=100.0;
-        /// Most hue, in turns.
-        hue_high: scalar = 1.0, in -100.0..=100.0;
+        /// Least hue.
+        hue_low: scalar = 0.0, in -100.0..=100.0, unit "turns", soft UNIT;
+        /// Most hue.
+        hue_high: scalar = 1.0, in -100.0..=100.0, unit "turns", soft UNIT;
         /// Least saturation; below 0 counts as 0.
-        saturation_low: scalar = 0.825, in -100.0..=100.0;
+        saturation_low: scalar = 0.825, in -100.0..=100.0, soft UNIT;
         /// Most saturation.
-        saturation_high: scalar = 1.0, in -100.0..=100.0;
+        saturation_high: scalar = 1.0, in -100.0..=100.0, soft UNIT;
         /// Least value, the brightest component.
-        value_low: scalar = 1.0, in -1e9..=1e9;
+        value_low: scalar = 1.0, in -1e9..=1e9, soft UNIT;
         /// Most value.
-        value_high: scalar = 1.0, in -1e9..=1e9;
+        value_high: scalar = 1.0, in -1e9..=1e9, soft UNIT;
         /// Another seed gives other colours.
         seed: integer = 0;
     }

@@ -1,6 +1,6 @@
 use crate::emit::functions::cells::{Scattered, cell_share, numbered_share, scattered};
 use crate::emit::{Color, Emit, Vector};
-use crate::nodes::finite::FACTOR;
+use crate::nodes::finite::{FACTOR, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -24,7 +24,7 @@ node! {
         /// The fourth coordinate, often the time.
         w: scalar = 0.0, in FACTOR, when e.mask(i.dimensions == 4);
         /// How far points stray from the middle of their cells: 0 not at all, 1 over the whole cell.
-        jitter: scalar = 1.0, in -4.0..=4.0;
+        jitter: scalar = 1.0, in -4.0..=4.0, soft UNIT;
         /// What a distance is: along the straight line, the sum of the steps along the axes, or the longest
         /// of these.
         metric: choice = 0, of ["euclidean", "manhattan", "chebyshev"];

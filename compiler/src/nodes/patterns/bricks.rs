@@ -1,7 +1,7 @@
 use crate::emit::functions::cells::{cell_share, numbered_share};
 use crate::emit::functions::figures::{is_odd, within_tile};
 use crate::emit::{Color, Emit, Mask, Real};
-use crate::nodes::finite::FACTOR;
+use crate::nodes::finite::{FACTOR, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -20,15 +20,15 @@ node! {
         /// Where to look: across the rows.
         v: scalar = state(Field::V), in FACTOR;
         /// Length of a brick, with its mortar.
-        width: scalar = 0.25, in 1e-6..=1e6;
+        width: scalar = 0.25, in 1e-6..=1e6, soft 0.01..=1.0;
         /// Height of a row, with its mortar.
-        height: scalar = 0.1, in 1e-6..=1e6;
+        height: scalar = 0.1, in 1e-6..=1e6, soft 0.01..=1.0;
         /// Width of the mortar.
-        mortar: scalar = 0.015, in 0.0..=1e6;
+        mortar: scalar = 0.015, in 0.0..=1e6, soft 0.0..=0.1;
         /// Width of the passage from mortar to brick, on the brick.
-        bevel: scalar = 0.0, in 0.0..=1e6;
+        bevel: scalar = 0.0, in 0.0..=1e6, soft 0.0..=0.1;
         /// What every other row is moved by, in bricks: 0 for tiles.
-        shift: scalar = 0.5, in FACTOR;
+        shift: scalar = 0.5, in FACTOR, unit "bricks", soft UNIT;
         /// Another seed gives other numbers and colours.
         seed: integer = 0;
     }

@@ -1,6 +1,6 @@
 use crate::emit::functions::figures::is_odd;
 use crate::emit::{Emit, Mask};
-use crate::nodes::finite::{FACTOR, SUMMAND};
+use crate::nodes::finite::{FACTOR, SUMMAND, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -16,9 +16,9 @@ node! {
         /// Where to look: up.
         v: scalar = state(Field::V), in FACTOR;
         /// Squares per unit; x and y count.
-        tiling: vector = [8.0, 8.0, 8.0], in FACTOR;
+        tiling: vector = [8.0, 8.0, 8.0], in FACTOR, soft 0.0..=100.0;
         /// What the board is moved by, in squares; x and y count.
-        offset: vector = [0.0; 3], in FACTOR;
+        offset: vector = [0.0; 3], in FACTOR, unit "squares", soft UNIT;
         /// Value of even squares, the one at the origin among them.
         even: generic = 0.0, in SUMMAND, when !odd(e, i);
         /// Value of odd squares.

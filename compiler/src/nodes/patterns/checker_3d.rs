@@ -1,6 +1,6 @@
 use crate::emit::functions::figures::is_odd;
 use crate::emit::{Emit, Mask};
-use crate::nodes::finite::{FACTOR, SUMMAND};
+use crate::nodes::finite::{FACTOR, SUMMAND, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -16,9 +16,9 @@ node! {
         /// Where to look.
         position: vector = state(Field::Point), in FACTOR;
         /// Cubes per unit.
-        tiling: vector = [1.0; 3], in FACTOR;
+        tiling: vector = [1.0; 3], in FACTOR, soft 0.0..=100.0;
         /// What the board is moved by, in cubes.
-        offset: vector = [0.0; 3], in FACTOR;
+        offset: vector = [0.0; 3], in FACTOR, unit "cubes", soft UNIT;
         /// Value of even cubes, the one at the origin among them.
         even: generic = 0.0, in SUMMAND, when !odd(e, i);
         /// Value of odd cubes.

@@ -1,6 +1,6 @@
 use crate::emit::Vector;
 use crate::emit::functions::figures::{Place, in_circle, one_where};
-use crate::nodes::finite::FACTOR;
+use crate::nodes::finite::{FACTOR, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -16,7 +16,7 @@ node! {
         /// The middle; x and y count.
         center: vector = [0.0; 3], in FACTOR;
         /// Distance from the middle to the rim.
-        radius: scalar = 0.5, in FACTOR;
+        radius: scalar = 0.5, in FACTOR, soft UNIT;
     }
     outputs {
         /// 1 inside, 0 outside.

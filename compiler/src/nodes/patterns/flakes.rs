@@ -1,6 +1,6 @@
 use crate::emit::functions::flakes::{completed, flake_at, tilted};
 use crate::emit::{Mask, Real, Vector};
-use crate::nodes::finite::FACTOR;
+use crate::nodes::finite::{FACTOR, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -15,11 +15,11 @@ node! {
         /// Where to look.
         position: vector = state(Field::Point), in FACTOR;
         /// Edge of the cubes, in units of the position.
-        size: scalar = 0.01, in -1e9..=1e9, avoid zero;
+        size: scalar = 0.01, in -1e9..=1e9, avoid zero, soft 0.001..=1.0;
         /// Roughness of the tilt: 0 flat, 1 every way.
-        roughness: scalar = 0.1, in -16.0..=16.0;
+        roughness: scalar = 0.1, in -16.0..=16.0, soft UNIT;
         /// Share of the surface that flakes cover, about; below 0 counts as 0, above 1 as 1.
-        coverage: scalar = 0.5;
+        coverage: scalar = 0.5, soft UNIT;
         /// The surface's normal, of unit length.
         normal: vector = state(Field::Normal), in -1e6..=1e6;
         /// A direction in the surface; zero takes one that the normal gives.

@@ -1,6 +1,6 @@
 use crate::emit::Real;
 use crate::emit::functions::figures::{is_odd, one_where, within_tile};
-use crate::nodes::finite::FACTOR;
+use crate::nodes::finite::{FACTOR, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -14,11 +14,11 @@ node! {
         /// Where to look: up.
         v: scalar = state(Field::V), in FACTOR;
         /// Tiles per unit; x and y count.
-        tiling: vector = [8.0, 8.0, 8.0], in FACTOR;
+        tiling: vector = [8.0, 8.0, 8.0], in FACTOR, soft 0.0..=100.0;
         /// What the grid is moved by, in tiles; x and y count.
-        offset: vector = [0.0; 3], in FACTOR;
+        offset: vector = [0.0; 3], in FACTOR, unit "tiles", soft UNIT;
         /// Share of the tile that lines cover, half of it on each side.
-        thickness: scalar = 0.05, in FACTOR;
+        thickness: scalar = 0.05, in FACTOR, soft UNIT;
         /// Whether every other row is moved by half a tile.
         staggered: boolean = false;
     }

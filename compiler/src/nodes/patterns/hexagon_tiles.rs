@@ -20,7 +20,7 @@ node! {
         /// Where to look: up.
         v: scalar = state(Field::V), in FACTOR;
         /// Hexagons per unit, side by side.
-        frequency: scalar = 8.0, in FACTOR;
+        frequency: scalar = 8.0, in FACTOR, unit "hexagons per unit", soft 0.0..=100.0;
         /// Another seed gives other numbers and colours.
         seed: integer = 0;
     }

@@ -1,5 +1,5 @@
 use crate::emit::functions::figures::{Place, on_line, one_where};
-use crate::nodes::finite::FACTOR;
+use crate::nodes::finite::{FACTOR, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -16,7 +16,7 @@ node! {
         /// What both points are moved by; x and y count.
         center: vector = [0.0; 3], in FACTOR;
         /// Half of the line's width.
-        radius: scalar = 0.1, in FACTOR;
+        radius: scalar = 0.1, in FACTOR, soft UNIT;
         /// One end; x and y count.
         from: vector = [0.25, 0.25, 0.0], in FACTOR;
         /// The other end; x and y count.

@@ -1,5 +1,5 @@
 use crate::emit::{Mask, Real};
-use crate::nodes::finite::SUMMAND;
+use crate::nodes::finite::{SUMMAND, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -12,7 +12,7 @@ node! {
         /// Where to look.
         v: scalar = state(Field::V);
         /// Where the edge is.
-        center: scalar = 0.5;
+        center: scalar = 0.5, soft UNIT;
         /// Value above.
         top: generic = 1.0, in SUMMAND, when !i.v.less(i.center);
         /// Value below.

@@ -1,6 +1,6 @@
 use crate::emit::functions::figures::{one_where, within_tile};
 use crate::emit::{Emit, Real};
-use crate::nodes::finite::FACTOR;
+use crate::nodes::finite::{FACTOR, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -15,9 +15,9 @@ node! {
         /// What the stripes are across.
         input: scalar = state(Field::U), in FACTOR;
         /// Periods per unit.
-        frequency: scalar = 8.0, in FACTOR;
+        frequency: scalar = 8.0, in FACTOR, unit "periods per unit", soft 0.0..=100.0;
         /// What they are moved by, in periods.
-        offset: scalar = 0.0, in FACTOR;
+        offset: scalar = 0.0, in FACTOR, unit "periods", soft UNIT;
         /// What is between 0 and 1.
         profile: choice = 0, of ["stripes", "sine", "triangle", "saw"];
         /// Share of the period that a stripe covers; of stripes only.

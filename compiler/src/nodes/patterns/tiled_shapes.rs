@@ -2,7 +2,7 @@ use crate::emit::functions::figures::{
     Place, in_circle, in_cloverleaf, in_hexagon, is_odd, one_where, within_tile,
 };
 use crate::emit::{Emit, Mask};
-use crate::nodes::finite::FACTOR;
+use crate::nodes::finite::{FACTOR, UNIT};
 use crate::nodes::state;
 use crate::state::Field;
 
@@ -21,11 +21,11 @@ node! {
         /// Where to look: up.
         v: scalar = state(Field::V), in FACTOR;
         /// Tiles per unit; x and y count.
-        tiling: vector = [4.0, 4.0, 4.0], in FACTOR;
+        tiling: vector = [4.0, 4.0, 4.0], in FACTOR, soft 0.0..=100.0;
         /// What the tiles are moved by, in tiles; x and y count.
-        offset: vector = [0.0; 3], in FACTOR;
+        offset: vector = [0.0; 3], in FACTOR, unit "tiles", soft UNIT;
         /// Size of a figure: 1 reaches the edges of its tile.
-        size: scalar = 0.5, in FACTOR;
+        size: scalar = 0.5, in FACTOR, soft UNIT;
         /// Whether every other row is moved by half a tile.
         staggered: boolean = false;
         /// The figure.

@@ -1,7 +1,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::emit::functions::conventions::{clamp_finite, sqrt_or_zero};
-use crate::emit::functions::frames::{any_tangent, from_frame};
+use crate::emit::functions::frames::Frame;
 use crate::emit::{Emit, Real, Vector};
 use crate::nodes::finite::UNIT;
 use crate::nodes::{NOT_NEGATIVE, state};
@@ -16,8 +16,8 @@ node! {
     inputs {
         /// Axis of the cone, of any length.
         axis: vector = state(Field::Normal);
-        /// Angle between the axis and the side of the cone, radians; pi is the whole sphere.
-        angle: scalar = 0.5, in 0.0..=3.15;
+        /// Angle between the axis and the side of the cone; pi is the whole sphere.
+        angle: scalar = 0.5, in 0.0..=3.15, unit "radians";
         /// First number drawn, 0 to 1.
         u: scalar = state(Field::SampleU), in UNIT;
         /// Second number drawn, 0 to 1.
@@ -52,7 +52,7 @@ pub fn round_axis<E: Emit>(
     let (z, r) = (e.real(1.0) - height, sqrt_or_zero(height * (e.real(2.0) - height)));
     let turn = turn.saturate() * TAU;
     let local = Vector { x: r * turn.cos(), y: r * turn.sin(), z };
-    from_frame(local, any_tangent(axis), axis).normalized()
+    Frame::around(axis).world(local).normalized()
 }
 
 #[cfg(test)]

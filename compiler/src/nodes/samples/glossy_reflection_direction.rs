@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 
 use crate::emit::functions::conventions::sqrt_or_zero;
-use crate::emit::functions::frames::{any_tangent, from_frame, tangent_along};
+use crate::emit::functions::frames::{Frame, any_tangent, tangent_along};
 use crate::emit::{Emit, Mask, Real, Vector};
 use crate::nodes::finite::UNIT;
 use crate::nodes::rays::reflection_direction::mirrored;
@@ -19,9 +19,9 @@ node! {
     inputs {
         /// Roughness along the tangent: the deviation of the slopes of the facets. 0 is a mirror; mental ray's
         /// `shiny` is `1 / roughness`.
-        roughness_u: scalar = 0.1, in 0.0..=10.0;
+        roughness_u: scalar = 0.1, in 0.0..=10.0, soft UNIT;
         /// Roughness across the tangent.
-        roughness_v: scalar = 0.1, in 0.0..=10.0;
+        roughness_v: scalar = 0.1, in 0.0..=10.0, soft UNIT;
         /// Direction of the first roughness; by default along u.
         tangent: vector = node("frame_from_derivatives"), when i.roughness_u.not_equal(i.roughness_v);
         /// Direction towards the surface, unit length.
@@ -66,7 +66,7 @@ pub fn facet<E: Emit>(
     let rough = |of: E::Real| of.clamp_to(e.real(0.0), e.real(1e3)) * slope;
     let local =
         Vector { x: rough(along) * turn.cos(), y: rough(across) * turn.sin(), z: e.real(1.0) };
-    let facet = from_frame(local, tangent, unit).normalized();
+    let facet = Frame::square(unit, tangent).world(local).normalized();
     facet.dot(direction).less(e.real(0.0)).select(facet, normal)
 }
 

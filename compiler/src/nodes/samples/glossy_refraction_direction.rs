@@ -14,15 +14,15 @@ node! {
     inputs {
         /// Roughness along the tangent: the deviation of the slopes of the facets. 0 is a mirror; mental ray's
         /// `shiny` is `1 / roughness`.
-        roughness_u: scalar = 0.1, in 0.0..=10.0;
+        roughness_u: scalar = 0.1, in 0.0..=10.0, soft UNIT;
         /// Roughness across the tangent.
-        roughness_v: scalar = 0.1, in 0.0..=10.0;
+        roughness_v: scalar = 0.1, in 0.0..=10.0, soft UNIT;
         /// Direction of the first roughness; by default along u.
         tangent: vector = node("frame_from_derivatives"), when i.roughness_u.not_equal(i.roughness_v);
         /// Index of refraction on the side the ray comes from.
-        ior_in: scalar = 1.0, in 0.0..=100.0;
+        ior_in: scalar = 1.0, in 0.0..=100.0, soft 1.0..=2.5;
         /// Index of refraction beyond the boundary.
-        ior_out: scalar = 1.5, in 0.0..=100.0;
+        ior_out: scalar = 1.5, in 0.0..=100.0, soft 1.0..=2.5;
         /// Direction towards the surface, unit length.
         direction: vector = state(Field::Direction), in -1.0..=1.0;
         /// Shading normal, unit length, on the side the ray comes from.

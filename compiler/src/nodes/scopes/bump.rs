@@ -13,11 +13,11 @@ node! {
             Surfaces; mental ray base shaders, mib_bump_map",
     inputs {
         /// How far the surface is raised here.
-        height: scalar = 0.0;
+        height: scalar = 0.0, unit "scene units";
         /// Factor on heights.
-        scale: scalar = 1.0, in -1e6..=1e6;
-        /// Distance over which slopes are taken, in scene units.
-        step: scalar = 0.001, in 1e-6..=1e6;
+        scale: scalar = 1.0, in -1e6..=1e6, soft 0.0..=10.0;
+        /// Distance over which slopes are taken.
+        step: scalar = 0.001, in 1e-6..=1e6, unit "scene units", soft 0.0001..=0.1;
         /// How the point moves with u, of any length.
         derivative_u: vector = state(Field::DerivativeU);
         /// How the point moves with v, of any length.

@@ -19,7 +19,7 @@ node! {
         /// The map, its numbers as they are in the file.
         map: color = [0.5, 0.5, 1.0, 1.0], in FINITE;
         /// Factor on the parts along the surface; 0 is flat.
-        strength: scalar = 1.0, in -100.0..=100.0;
+        strength: scalar = 1.0, in -100.0..=100.0, soft 0.0..=2.0;
         /// Whether green runs downwards, as in maps made for DirectX.
         flip_green: boolean = false;
         /// How the point moves with u, of any length.

@@ -11,8 +11,8 @@ node! {
     shifted_v in scopes scope [Point, U, V],
     source "Blinn 1978, Simulation of Wrinkled Surfaces; mental ray base shaders, mib_bump_map",
     inputs {
-        /// Length of the step, in scene units.
-        step: scalar = 0.001, in -1e6..=1e6;
+        /// Length of the step.
+        step: scalar = 0.001, in -1e6..=1e6, unit "scene units", soft 0.0001..=0.1;
         /// How the point moves with u, of any length.
         derivative_u: vector = state(Field::DerivativeU);
         /// How the point moves with v, of any length.

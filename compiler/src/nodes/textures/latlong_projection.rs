@@ -14,8 +14,8 @@ node! {
     inputs {
         /// Direction of any length; none is the middle of the picture turned by half.
         direction: vector = state(Field::Direction);
-        /// Angle by which the picture is turned about y, in radians: as the `rotation` of an environment.
-        rotation: scalar = 0.0, in -1e5..=1e5;
+        /// Angle by which the picture is turned about y: as the `rotation` of an environment.
+        rotation: scalar = 0.0, in -1e5..=1e5, unit "radians", soft -3.2..=3.2;
     }
     outputs {
         /// Where to read, as a vector whose z is 0; `u` goes on past 0 and 1 where the picture is turned.

@@ -13,7 +13,7 @@ node! {
         /// The map, its numbers as they are in the file: 0 to 1.
         map: vector = [0.5, 0.5, 1.0], in -1e9..=1e9;
         /// Factor on the parts along the surface.
-        scale: scalar = 1.0, in -1e9..=1e9;
+        scale: scalar = 1.0, in -1e9..=1e9, soft 0.0..=2.0;
         /// The way of u.
         tangent: vector = node("frame_from_derivatives"), in -1e9..=1e9;
         /// The way of v; where it is zero, normal × tangent.

@@ -25,8 +25,8 @@ node! {
         pivot: vector = [0.0; 3], in FACTOR;
         /// Size of the picture, in x and y.
         scale: vector = [1.0; 3], in FACTOR, avoid zero;
-        /// Angle by which the picture is turned, in radians.
-        rotate: scalar = 0.0, in -1e5..=1e5;
+        /// Angle by which the picture is turned.
+        rotate: scalar = 0.0, in -1e5..=1e5, unit "radians", soft -3.2..=3.2;
         /// By how much the picture is shifted, in x and y.
         offset: vector = [0.0; 3], in FACTOR;
         /// What is done first.

@@ -9,8 +9,8 @@ node! {
     inputs {
         /// What it turns round, of any length.
         axis: vector = [0.0, 0.0, 1.0];
-        /// The angle in radians.
-        angle: scalar = 0.0;
+        /// The angle.
+        angle: scalar = 0.0, unit "radians", soft -3.2..=3.2;
     }
     outputs {
         /// The transform.

@@ -4,8 +4,8 @@ node! {
     degrees_to_radians in trigonometry per component,
     source "",
     inputs {
-        /// The angle in degrees.
-        input: generic = 0.0;
+        /// The angle.
+        input: generic = 0.0, unit "degrees";
     }
     outputs {
         /// The angle in radians.

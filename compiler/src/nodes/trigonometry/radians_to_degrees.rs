@@ -6,8 +6,8 @@ node! {
     radians_to_degrees in trigonometry per component,
     source "",
     inputs {
-        /// The angle in radians.
-        input: generic = 0.0, in FACTOR;
+        /// The angle.
+        input: generic = 0.0, in FACTOR, unit "radians";
     }
     outputs {
         /// The angle in degrees.

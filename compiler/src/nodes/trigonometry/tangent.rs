@@ -7,8 +7,8 @@ node! {
     tangent in trigonometry per component,
     source "",
     inputs {
-        /// The angle in radians.
-        input: generic = 0.0;
+        /// The angle.
+        input: generic = 0.0, unit "radians";
     }
     outputs {
         /// The value.

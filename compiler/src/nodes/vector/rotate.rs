@@ -13,8 +13,8 @@ node! {
         vector: vector = [0.0; 3], in CUBED;
         /// What it is turned round, of any length.
         axis: vector = [0.0, 0.0, 1.0];
-        /// The angle in radians.
-        angle: scalar = 0.0;
+        /// The angle.
+        angle: scalar = 0.0, unit "radians", soft -3.2..=3.2;
         /// A point the axis goes through.
         center: vector = [0.0; 3], in CUBED;
     }

@@ -9,8 +9,8 @@ node! {
     inputs {
         /// What is turned.
         vector: vector = [0.0; 3], in FACTOR;
-        /// The angle in radians.
-        angle: scalar = 0.0;
+        /// The angle.
+        angle: scalar = 0.0, unit "radians", soft -3.2..=3.2;
     }
     outputs {
         /// The turned vector.
