@@ -80,8 +80,8 @@ pub fn node(node: &Signature) -> String {
         let _ = writeln!(text, "  {}: {of}{range}", output.name);
         paragraphs(&mut text, 6, &output.doc);
     }
-    // Phenomena tell theirs in the doc.
-    if node.group != "phenomena" {
+    // Phenomena tell theirs in the doc, and what is common knowledge has none.
+    if node.group != "phenomena" && !node.source.is_empty() {
         let _ = writeln!(text, "\nSource: {}", node.source);
     }
     text
