@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::effects::{Answer, LightList, LightSample, Points, Ray, Renderer, Trace};
+use phenomenon_compiler::effects::{
+    Answer, LightList, LightMode, LightSample, Points, Ray, Renderer, Trace,
+};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::show::{ShowError, draw_dot, draw_svg};
@@ -27,7 +29,7 @@ impl Renderer for Nothing {
         }
     }
 
-    fn light_list(&mut self, names: &[String]) -> LightList {
+    fn light_list(&mut self, names: &[String], _: LightMode) -> LightList {
         LightList(names.len() as u32)
     }
 

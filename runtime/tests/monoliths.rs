@@ -7,7 +7,7 @@ use std::sync::Arc;
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::document;
 use phenomenon_compiler::effects::{
-    Answer, Effect, LightList, LightSample, Points, Ray, Renderer, Trace,
+    Answer, Effect, LightList, LightMode, LightSample, Points, Ray, Renderer, Trace,
 };
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
@@ -42,7 +42,7 @@ impl Renderer for Mock {
         }
     }
 
-    fn light_list(&mut self, names: &[String]) -> LightList {
+    fn light_list(&mut self, names: &[String], _: LightMode) -> LightList {
         assert!(names.is_empty());
         LightList(0)
     }

@@ -38,6 +38,10 @@ fn example(section: &Section) -> Example {
         "lights": [
             { "name": "a", "point": { "position": [0, 0, 0] } },
             { "name": "b", "directional": { "direction": [0, 0, 1] } },
+            { "name": "c", "spot": { "position": [0, 0, 0], "direction": [0, 0, 1] } },
+            { "name": "d", "rectangle": { "position": [0, 0, 0], "direction": [0, 0, 1], "width": 1, "height": 1 } },
+            { "name": "e", "disc": { "position": [0, 0, 0], "direction": [0, 0, 1], "radius": 1 } },
+            { "name": "f", "sphere": { "position": [0, 0, 0], "radius": 1 } },
         ],
         "environment": { "image": "a.hdr" },
         "options": {},
@@ -54,6 +58,10 @@ fn example(section: &Section) -> Example {
         "light" => "/lights/0",
         "point" => "/lights/0/point",
         "directional" => "/lights/1/directional",
+        "spot" => "/lights/2/spot",
+        "rectangle_light" => "/lights/3/rectangle",
+        "disc" => "/lights/4/disc",
+        "sphere_light" => "/lights/5/sphere",
         "environment" => "/environment",
         "gradient" => {
             scene["environment"] = json!({ "gradient": {

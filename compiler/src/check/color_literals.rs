@@ -7,12 +7,12 @@ use crate::values::ColorSpace;
 use super::keys::COLOR;
 
 /// The space of a colour that names one; none for any other value.
-pub(super) fn space_of(value: &Value) -> Option<ColorSpace> {
+pub fn space_of(value: &Value) -> Option<ColorSpace> {
     value.members().iter().find_map(|member| ColorSpace::find(&member.key))
 }
 
 /// Reads such a colour as scene-linear Rec. 709, converted in 64 bits and rounded once, or reports it.
-pub(super) fn read<'d>(
+pub fn read_color<'d>(
     reader: &mut Reader<'d>,
     value: &'d Value,
     space: ColorSpace,

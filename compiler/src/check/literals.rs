@@ -85,7 +85,7 @@ pub(super) fn read<'d>(
         (Type::Color, ValueKind::Object(_))
             if let Some(space) = color_literals::space_of(value) =>
         {
-            color_literals::read(reader, value, space).map(Literal::Color)
+            color_literals::read_color(reader, value, space).map(Literal::Color)
         }
         (Type::Vector, ValueKind::Array(elements)) if elements.len() == 3 => {
             let mut vector = [0.0; 3];

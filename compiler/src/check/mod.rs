@@ -63,6 +63,7 @@ mod unit_mistakes;
 mod used_phenomena;
 mod value_keys;
 
+pub use color_literals::{read_color, space_of};
 pub use expressions::{FUNCTIONS, Function};
 pub use files::{Files, OnDisk};
 pub use graph::{Checked, as_node, check_graph, check_graph_with, read_graph_file};

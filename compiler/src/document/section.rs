@@ -189,7 +189,7 @@ impl Kind {
             }
             Kind::Several(of, _) | Kind::Set(of, _) => of.range(),
             Kind::Either(one, other) => match (one.range(), other.range()) {
-                (one, other) if one == other => one,
+                (one, other) if one == other || one.is_empty() => other,
                 (one, other) => format!("{one}, or {other}"),
             },
             _ => String::new(),

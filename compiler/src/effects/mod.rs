@@ -9,7 +9,7 @@ mod renderer;
 mod sampling;
 
 pub use effect::{Asked, Effect, EffectSet, Part};
-pub use lights::{LightList, LightSample};
+pub use lights::{LightList, LightMode, LightSample, NamedLights};
 pub use no_scene::NoScene;
 pub use points::Points;
 pub use rays::{Answer, Ray, Trace};

@@ -3,7 +3,7 @@
 use crate::state::{Objects, State};
 use crate::values::Texture;
 
-use super::lights::{LightList, LightSample};
+use super::lights::{LightList, LightMode, LightSample};
 use super::points::Points;
 use super::rays::{Answer, Ray, Trace};
 use super::sampling::{Lookup, Sampling};
@@ -58,8 +58,8 @@ pub trait Renderer {
         None
     }
 
-    /// The list of the lights called `names`; no names means all lights of the scene.
-    fn light_list(&mut self, _names: &[String]) -> LightList {
+    /// The list of the lights that `names` stand for in a mode.
+    fn light_list(&mut self, _names: &[String], _mode: LightMode) -> LightList {
         LightList(0)
     }
 

@@ -370,7 +370,7 @@ impl Shade for Shader {
         let mut links = Links::default();
         for program in &self.programs {
             let Specialised { light_lists, textures, .. } = &program.code.specialised;
-            let lists = light_lists.values().map(|names| renderer.light_list(names));
+            let lists = light_lists.values().map(|of| renderer.light_list(&of.names, of.mode));
             links.light_lists.extend(lists);
             links.textures.extend(textures.values().map(|texture| renderer.texture(texture)));
         }

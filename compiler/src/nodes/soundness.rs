@@ -254,7 +254,14 @@ fn check_loop(
             };
             let alike = body.scoped && body.value_type == output.value_type && reduced;
             let no_guard = signature.inputs.iter().all(|input| !input.guarded);
-            alike && no_guard && taken.iter().map(|input| input.value_type).eq(arguments.to_vec())
+            // Which lights there are is known before shading.
+            let settled = taken.iter().all(|input| {
+                iterated == Iterated::Samples || input.fixed || input.value_type == Type::Lights
+            });
+            alike
+                && no_guard
+                && settled
+                && taken.iter().map(|input| input.value_type).eq(arguments.to_vec())
         }
         _ => false,
     };
@@ -350,11 +357,14 @@ mod tests {
     fn a_loop_takes_what_it_runs_over_and_yields_what_its_body_does() {
         let mut light_loop = standard("light_loop");
         assert_eq!(light_loop.check(), Ok(()));
-        light_loop.signature.inputs[1].value_type = Type::Scalar;
+        light_loop.signature.inputs[2].value_type = Type::Scalar;
         let error = light_loop.check().expect_err("a number becomes no colour");
         assert!(
             error.to_string().starts_with("`light_loop` loops over light samples, so its inputs")
         );
+        let mut light_loop = standard("light_loop");
+        light_loop.signature.inputs[1].fixed = false;
+        assert!(light_loop.check().is_err(), "the mode is known before shading");
         let mut light_loop = standard("light_loop");
         light_loop.signature.kind = Kind::Loop(Iterated::Samples, Reduction::Mean);
         assert!(light_loop.check().is_err(), "lights are no count");

@@ -2,7 +2,7 @@
 
 use cranelift_entity::PrimaryMap;
 
-use crate::effects::{Effect, Sampling};
+use crate::effects::{Effect, NamedLights, Sampling};
 use crate::kernels::BodyForms;
 use crate::state::{Field, Reduction};
 use crate::storage::Source;
@@ -149,8 +149,8 @@ pub struct Specialised {
     pub reads_ray_type: bool,
     /// Slots in use.
     pub slots: u32,
-    /// Names of the lights loops run over.
-    pub light_lists: PrimaryMap<LightListId, Vec<String>>,
+    /// The lights loops run over.
+    pub light_lists: PrimaryMap<LightListId, NamedLights>,
     /// Tables of light colours.
     pub tables: PrimaryMap<LightTableId, LightTable>,
     /// Textures that are read.

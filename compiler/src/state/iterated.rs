@@ -27,10 +27,11 @@ impl Iterated {
         }
     }
 
-    /// Types of the inputs a node over it has, before its scoped input.
+    /// Types of the inputs a node over it has, before its scoped input. The integer of a loop over
+    /// lights is a choice among [`LightMode::NAMES`](crate::effects::LightMode::NAMES).
     pub fn arguments(self) -> &'static [Type] {
         match self {
-            Iterated::Lights => &[Type::Lights],
+            Iterated::Lights => &[Type::Lights, Type::Integer],
             Iterated::Samples => &[Type::Integer],
         }
     }

@@ -2,8 +2,8 @@
 //! request is logged.
 
 use crate::effects::{
-    Answer, Effect, LightList, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId,
-    Trace,
+    Answer, Effect, LightList, LightMode, LightSample, Lookup, NamedLights, Points, Ray, Renderer,
+    Sampling, TextureId, Trace,
 };
 use crate::state::{Camera, Field, Footprint, Object, Objects, State, Surfaces};
 use crate::values::{Texture, Type};
@@ -180,8 +180,10 @@ impl Renderer for MockRenderer {
         Some([texture.0 & 7, 1 + (texture.0 >> 3 & 7)])
     }
 
-    fn light_list(&mut self, names: &[String]) -> LightList {
-        LightList(hash(names.join(" ").bytes().map(u32::from)) as u32)
+    fn light_list(&mut self, names: &[String], mode: LightMode) -> LightList {
+        let NamedLights { names, mode } = NamedLights::new(names.to_vec(), mode);
+        let number = hash(names.join(" ").bytes().map(u32::from)) as u32;
+        LightList(number.wrapping_add(mode as u32))
     }
 
     fn light_count(&mut self, list: LightList) -> usize {

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use phenomenon_compiler::effects::{
-    Answer, LightList, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId, Trace,
+    Answer, LightList, LightMode, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId,
+    Trace,
 };
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
@@ -42,7 +43,7 @@ impl Renderer for Asked {
             *color = u.is_finite().then_some([*u, *v, 0.25, 0.5]);
         }
     }
-    fn light_list(&mut self, names: &[String]) -> LightList {
+    fn light_list(&mut self, names: &[String], _: LightMode) -> LightList {
         LightList(names.len() as u32)
     }
     fn light_count(&mut self, list: LightList) -> usize {

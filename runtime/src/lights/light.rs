@@ -1,16 +1,16 @@
-//! Point and directional lights.
+//! Lights: what they send to a point.
 
-use glam::DVec3;
-
-use crate::geometry::{PreparedRay, double, single};
+use super::arrival::{Arrival, LightSource, Way};
+use super::{Disc, Rectangle, Sphere, Spot};
+use crate::geometry::{double, single};
 
 /// A light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
     /// Its name, by which graphs list it.
     pub name: String,
-    /// Its colour times its intensity: radiant intensity of a point light, irradiance of a
-    /// directional one on a surface square to it.
+    /// Its colour times its intensity: radiant intensity of a light with a place, in the direction in which it shines
+    /// most, whatever its size; irradiance of a directional one on a surface square to it.
     pub power: [f32; 3],
     /// Its shape.
     pub kind: LightKind,
@@ -29,70 +29,87 @@ pub enum LightKind {
         /// Direction its light travels in, any length.
         direction: [f32; 3],
     },
+    /// Shines from a point into a cone.
+    Spot(Spot),
+    /// Shines from one side of a rectangle.
+    Rectangle(Rectangle),
+    /// Shines from one side of a disc.
+    Disc(Disc),
+    /// Shines from a sphere.
+    Sphere(Sphere),
 }
 
-/// Most that arrives from a light at one point, in each channel: 2^100. A point light's power is
+impl LightKind {
+    /// How many samples a point takes of it: 1 of a light without extent.
+    pub fn samples(&self) -> u32 {
+        match self {
+            LightKind::Point { .. } | LightKind::Directional { .. } | LightKind::Spot(_) => 1,
+            LightKind::Rectangle(rectangle) => rectangle.samples,
+            LightKind::Disc(disc) => disc.samples,
+            LightKind::Sphere(sphere) => sphere.samples,
+        }
+    }
+
+    /// Whether it matters where on the light a sample lies.
+    pub fn has_extent(&self) -> bool {
+        matches!(self, LightKind::Rectangle(_) | LightKind::Disc(_) | LightKind::Sphere(_))
+    }
+}
+
+/// Most that arrives from a light at one point, in each channel: 2^100. A light's power is
 /// divided by the square of a distance that may be next to nothing; so much light saturates every
 /// picture, and sums of a million of it are still finite.
 pub const LIGHT_LIMIT: f32 = 1.267_650_6e30;
 
-/// A light as a point sees it.
+/// A sample of a light as a point sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSight {
     /// Unit direction from the point towards the light.
     pub direction: [f32; 3],
     /// Distance to it; none for a light at infinity.
     pub distance: Option<f64>,
-    /// What arrives where nothing is in the way.
+    /// What arrives where nothing is in the way, were it all of the light.
     pub color: [f32; 3],
+    /// Where it comes from.
+    pub source: LightSource,
 }
 
 impl Light {
-    /// The light as `point` sees it; none if it has no direction there, as at its very centre.
+    /// The light as `point` sees it, or of a light with extent the place of it that lies at `at` in the unit square;
+    /// none if nothing can arrive from there: it has no direction, as at its very centre, or shines to another side.
     #[inline]
-    pub fn seen_from(&self, point: [f32; 3]) -> Option<LightSight> {
-        match self.kind {
+    pub fn seen_from(&self, point: [f32; 3], at: [f64; 2]) -> Option<LightSight> {
+        let point = double(point);
+        match &self.kind {
             LightKind::Point { position } => {
-                let towards = double(position) - double(point);
-                let squared = towards.length_squared();
-                let distance = squared.sqrt();
-                if !(distance > 0.0 && distance.is_finite()) {
-                    return None;
-                }
-                let color = self.power.map(|power| saturated(f64::from(power) / squared));
-                let direction = single(towards / distance);
-                Some(LightSight { direction, distance: Some(distance), color })
+                let place = double(*position);
+                let way = Way::between(point, place)?;
+                Some(self.sight(&Arrival::from_place(place, way, 1.0)))
             }
             LightKind::Directional { direction } => {
-                let towards = -double(direction);
+                let towards = -double(*direction);
                 let length = towards.length();
-                let direction = single(towards / length);
                 let usable = length > 0.0 && length.is_finite();
+                let source = LightSource::Towards(towards.try_normalize()?);
+                let (direction, distance) = (single(towards / length), None);
                 let color = self.power.map(|power| saturated(power.into()));
-                usable.then_some(LightSight { direction, distance: None, color })
+                usable.then_some(LightSight { direction, distance, color, source })
             }
+            LightKind::Spot(spot) => Some(self.sight(&spot.arrival(point)?)),
+            LightKind::Rectangle(rectangle) => Some(self.sight(&rectangle.arrival(point, at)?)),
+            LightKind::Disc(disc) => Some(self.sight(&disc.arrival(point, at)?)),
+            LightKind::Sphere(sphere) => Some(self.sight(&sphere.arrival(point, at)?)),
         }
     }
 
-    /// The ray from a point of a surface, its normal given, to the light; none where the light has no
-    /// direction.
+    /// What arrives, as the point sees it.
     #[inline]
-    pub(crate) fn ray_from(&self, point: DVec3, normal: [f32; 3]) -> Option<PreparedRay> {
-        match self.kind {
-            LightKind::Point { position } => PreparedRay::to(point, normal, double(position)),
-            LightKind::Directional { direction } => {
-                let towards = (-double(direction)).try_normalize()?;
-                Some(PreparedRay::leaving(point, normal, towards))
-            }
-        }
-    }
-
-    /// Where light that goes through `point` along `-towards` starts: the light itself, or a point
-    /// `reach` away for a light at infinity.
-    pub(crate) fn origin(&self, point: DVec3, towards: DVec3, reach: f64) -> DVec3 {
-        match self.kind {
-            LightKind::Point { position } => double(position),
-            LightKind::Directional { .. } => point + towards * reach,
+    fn sight(&self, it: &Arrival) -> LightSight {
+        LightSight {
+            direction: single(it.direction),
+            distance: Some(it.distance),
+            color: self.power.map(|power| saturated(f64::from(power) * it.share / it.over)),
+            source: LightSource::At(it.place),
         }
     }
 }
@@ -111,20 +128,20 @@ mod tests {
     fn point_lights_fall_off_with_the_square() {
         let kind = LightKind::Point { position: [0.0, 2.0, 0.0] };
         let light = Light { name: "key".into(), power: [4.0, 8.0, 0.0], kind };
-        let sight = light.seen_from([0.0; 3]).unwrap();
+        let sight = light.seen_from([0.0; 3], [0.5; 2]).unwrap();
         assert_eq!(sight.color, [1.0, 2.0, 0.0]);
         assert_eq!((sight.direction, sight.distance), ([0.0, 1.0, 0.0], Some(2.0)));
-        assert_eq!(light.seen_from([0.0, 2.0, 0.0]), None);
-        assert_eq!(light.seen_from([f32::NAN; 3]), None);
+        assert_eq!(light.seen_from([0.0, 2.0, 0.0], [0.5; 2]), None);
+        assert_eq!(light.seen_from([f32::NAN; 3], [0.5; 2]), None);
     }
 
     #[test]
     fn directional_lights_come_from_behind_their_direction() {
         let kind = LightKind::Directional { direction: [0.0, -2.0, 0.0] };
         let mut light = Light { name: "sun".into(), power: [1.0; 3], kind };
-        let sight = light.seen_from([5.0; 3]).unwrap();
+        let sight = light.seen_from([5.0; 3], [0.5; 2]).unwrap();
         assert_eq!((sight.direction, sight.distance), ([0.0, 1.0, 0.0], None));
         light.kind = LightKind::Directional { direction: [0.0; 3] };
-        assert_eq!(light.seen_from([5.0; 3]), None);
+        assert_eq!(light.seen_from([5.0; 3], [0.5; 2]), None);
     }
 }

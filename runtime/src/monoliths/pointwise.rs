@@ -1,7 +1,7 @@
 //! A hand-written shader of one point as something that shades batches.
 
 use glam::{Vec3, Vec4};
-use phenomenon_compiler::effects::{Effect, EffectSet, Renderer};
+use phenomenon_compiler::effects::{Effect, EffectSet, LightMode, Renderer};
 use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
@@ -45,7 +45,7 @@ impl<S: PointShader> Shade for Pointwise<S> {
 
     fn link(&self, renderer: &mut dyn Renderer) -> Links {
         // All lights: what `Asking::diffuse` goes through.
-        Links { light_lists: vec![renderer.light_list(&[])], ..Links::default() }
+        Links { light_lists: vec![renderer.light_list(&[], LightMode::All)], ..Links::default() }
     }
 
     fn shade_linked(

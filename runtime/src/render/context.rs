@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::effects::{Answer, LightList, Ray};
+use phenomenon_compiler::effects::{Answer, Ray};
 use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::{RayType, State};
 
 use super::clock::{Clock, Who};
+use super::light_lists::LightLists;
 use super::points::{Waiting, environment_state, hit_state, prepared, unit_direction};
 use super::scratch::Scratch;
 use super::statistics::RayCounts;
@@ -30,8 +31,8 @@ pub struct Context<'s> {
     /// nothing is allocated per ray.
     spare: Vec<Scratch>,
     nesting: usize,
-    /// Lists of lights that shaders asked for: their names, and the numbers of these lights.
-    light_lists: Vec<(Vec<String>, Vec<u32>)>,
+    /// Lists of lights that shaders asked for.
+    pub(super) light_lists: LightLists,
     /// Of each material, then of the environment: what its shader names. Shared, so that a shading call
     /// holds on to it while the context answers requests.
     links: Arc<[Links]>,
@@ -48,7 +49,7 @@ impl<'s> Context<'s> {
             clock: Clock::new(),
             spare: Vec::new(),
             nesting: 0,
-            light_lists: Vec::new(),
+            light_lists: LightLists::default(),
             links: Arc::new([]),
         };
         let materials = scene.materials.iter().map(|material| &material.shader);
@@ -273,27 +274,5 @@ impl<'s> Context<'s> {
                 answers[slot as usize] = answer(result.color, result.ok);
             }
         }
-    }
-
-    /// The list of the lights called `names`, of all lights without a name. Shaders link once in each
-    /// context, so no thread waits for another.
-    pub(super) fn list_of(&mut self, names: &[String]) -> LightList {
-        let known = self.light_lists.iter().position(|(of, _)| of == names);
-        let at = known.unwrap_or_else(|| {
-            let numbered = || (0_u32..).zip(&self.scene.lights);
-            let named = |name: &String| numbered().find(|(_, light)| light.name == *name);
-            let list = match names.is_empty() {
-                true => numbered().map(|(number, _)| number).collect(),
-                false => names.iter().filter_map(named).map(|(number, _)| number).collect(),
-            };
-            self.light_lists.push((names.to_vec(), list));
-            self.light_lists.len() - 1
-        });
-        LightList(at as u32)
-    }
-
-    /// The lights of a list, by their numbers.
-    pub(super) fn lights_of(&self, list: LightList) -> &[u32] {
-        self.light_lists.get(list.0 as usize).map_or(&[], |(_, list)| list)
     }
 }

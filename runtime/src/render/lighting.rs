@@ -6,11 +6,12 @@ use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::{Hit, RayType, State};
 
 use super::context::Context;
+use super::light_lists::ListedSample;
 use super::points::{note, place, precise_point};
 use super::scratch::{Occluder, Scratch};
 use crate::geometry::single;
-use crate::lights::Light;
-use crate::sampling::child_path;
+use crate::lights::{Light, LightSight, LightSource};
+use crate::sampling::{child_path, light_position};
 use crate::scene::Scene;
 
 /// Request site of shadow rays; the light and the position among the occluders are mixed in.
@@ -27,13 +28,13 @@ impl Context<'_> {
         points: Points<'_>,
         samples: &mut [LightSample],
     ) {
-        let Some(&number) = self.lights_of(list).get(iteration) else {
+        let Some(&listed) = self.light_lists.samples(list).get(iteration) else {
             return samples.fill(LightSample { token: NO_LIGHT, ..LightSample::default() });
         };
-        let light = &self.scene.lights[number as usize];
-        let token = u64::from(number);
+        let light = &self.scene.lights[listed.light as usize];
+        let token = listed.token();
         for (point, sample) in points.iter().zip(samples) {
-            *sample = match light.seen_from(point.point) {
+            *sample = match seen(light, listed, point) {
                 Some(sight) => LightSample {
                     direction: sight.direction,
                     distance: sight.distance.unwrap_or(0.0) as f32,
@@ -54,23 +55,27 @@ impl Context<'_> {
         scratch: &mut Scratch,
     ) {
         let scene = self.scene;
-        let Ok(number) = u32::try_from(token) else { return };
-        let Some(light) = scene.lights.get(number as usize) else { return };
+        let listed = ListedSample::of_token(token);
+        let Some(light) = scene.lights.get(listed.light as usize) else { return };
+        let share = light.kind.samples() as f32;
         scratch.occluders.clear();
         scratch.ranges.clear();
+        scratch.sources.clear();
         for (at, (point, color)) in points.iter().zip(&mut *colors).enumerate() {
-            let Some(sight) = light.seen_from(point.point) else { continue };
+            let sight = seen(light, listed, point);
+            scratch.sources.push(sight.map_or(LightSource::Towards(DVec3::Y), |it| it.source));
+            let Some(sight) = sight else { continue };
             if sight.color == [0.0; 3] {
                 continue;
             }
             // Shadow shaders see their lights unshadowed: shadows of shadows would never end.
             let shadowed = point.ray_type != RayType::Shadow;
-            if shadowed && !self.gather_occluders(point, at as u32, light, scratch) {
+            if shadowed && !self.gather_occluders(point, at as u32, sight.source, scratch) {
                 continue;
             }
-            *color = sight.color;
+            *color = sight.color.map(|color| color / share);
         }
-        self.filter(light, number, points, colors, scratch);
+        self.filter(listed, points, colors, scratch);
     }
 
     /// Collects what lies between a point and a light, sorted by distance from the point; false if
@@ -79,13 +84,13 @@ impl Context<'_> {
         &mut self,
         state: &State,
         point: u32,
-        light: &Light,
+        source: LightSource,
         scratch: &mut Scratch,
     ) -> bool {
         self.counts.shadow += 1;
         let scene = self.scene;
         // A light in the very place of the point has nothing before it.
-        let Some(ray) = light.ray_from(shadow_start(scene, state), state.normal_geom) else {
+        let Some(ray) = source.ray_from(shadow_start(scene, state), state.normal_geom) else {
             return true;
         };
         let found = &mut scratch.found;
@@ -126,13 +131,12 @@ impl Context<'_> {
     /// the second of every point that still gets light, and so on.
     fn filter(
         &mut self,
-        light: &Light,
-        number: u32,
+        listed: ListedSample,
         points: Points<'_>,
         colors: &mut [[f32; 3]],
         scratch: &mut Scratch,
     ) {
-        let Scratch { occluders, found, ranges, states, results, .. } = scratch;
+        let Scratch { occluders, found, ranges, sources, states, results, .. } = scratch;
         for layer in 0.. {
             ranges.retain(|&(point, _, count)| layer < count && colors[point as usize] != [0.0; 3]);
             if ranges.is_empty() {
@@ -141,14 +145,14 @@ impl Context<'_> {
             found.clear();
             found.extend(ranges.iter().map(|&(_, start, _)| occluders[(start + layer) as usize]));
             found.sort_unstable_by_key(|occluder| (occluder.material, occluder.point));
-            let site = child_path(SHADOW_SITE, u64::from(number) << 32 | u64::from(layer));
+            let site = shadow_site(listed, layer);
             for group in found.chunk_by(|a, b| a.material == b.material) {
                 for batch in group.chunks(self.batch) {
                     states.clear();
                     states.extend(batch.iter().map(|occluder| {
                         shadow_state(
                             self.scene,
-                            light,
+                            sources[occluder.point as usize],
                             points.get(occluder.point as usize),
                             occluder,
                             site,
@@ -168,6 +172,23 @@ impl Context<'_> {
     }
 }
 
+/// A sample of a light as a point sees it. Where on the light it lies, point and sample alone decide: it is
+/// the same however points are grouped, and the same for all loops at the point.
+#[inline]
+fn seen(light: &Light, listed: ListedSample, point: &State) -> Option<LightSight> {
+    let at = match light.kind.has_extent() {
+        true => light_position(point.path, listed.light, listed.sample),
+        false => [0.5; 2],
+    };
+    light.seen_from(point.point, at)
+}
+
+/// Request site of the shadow shaders at one of the occluders on the way to a sample.
+fn shadow_site(listed: ListedSample, layer: u32) -> u64 {
+    let site = child_path(SHADOW_SITE, u64::from(listed.light) << 32 | u64::from(layer));
+    if listed.sample == 0 { site } else { child_path(site, u64::from(listed.sample)) }
+}
+
 /// Where the shadow rays of a point start.
 fn shadow_start(scene: &Scene, state: &State) -> DVec3 {
     scene.shadow_start(&state.hit, precise_point(state), state.inv_normal)
@@ -176,18 +197,18 @@ fn shadow_start(scene: &Scene, state: &State) -> DVec3 {
 /// The state at an occluder: the ray runs from the light to the point.
 fn shadow_state(
     scene: &Scene,
-    light: &Light,
+    source: LightSource,
     point: &State,
     occluder: &Occluder,
     site: u64,
 ) -> State {
     let start = shadow_start(scene, point);
-    let ray = light.ray_from(start, point.normal_geom);
+    let ray = source.ray_from(start, point.normal_geom);
     let towards = ray.map_or(DVec3::Y, |ray| ray.direction);
     let surface = scene.surface(start, towards, &occluder.hit);
     let (center, radius) = scene.extent;
     let reach = (start - center).length() + radius * 2.0;
-    let source = light.origin(start, towards, reach);
+    let source = source.origin(start, towards, reach);
     let mut state = *point;
     state.ray_type = RayType::Shadow;
     state.incoming = [1.0; 4];

@@ -3,6 +3,7 @@
 mod clock;
 mod context;
 mod empty_scene;
+mod light_lists;
 mod lighting;
 mod points;
 mod requests;

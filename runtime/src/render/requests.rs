@@ -1,7 +1,8 @@
 //! The renderer as shaders see it: what they may ask of a context.
 
 use phenomenon_compiler::effects::{
-    Answer, LightList, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId, Trace,
+    Answer, LightList, LightMode, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId,
+    Trace,
 };
 use phenomenon_compiler::state::{Objects, RayType, State};
 use phenomenon_compiler::values::Texture;
@@ -55,12 +56,12 @@ impl Renderer for Context<'_> {
         self.clock.switch(before);
     }
 
-    fn light_list(&mut self, names: &[String]) -> LightList {
-        self.list_of(names)
+    fn light_list(&mut self, names: &[String], mode: LightMode) -> LightList {
+        self.light_lists.find(names, mode, &self.scene.lights)
     }
 
     fn light_count(&mut self, list: LightList) -> usize {
-        self.lights_of(list).len()
+        self.light_lists.samples(list).len()
     }
 
     fn light_samples(

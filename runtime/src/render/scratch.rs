@@ -6,6 +6,7 @@ use phenomenon_compiler::state::State;
 use super::points::Waiting;
 use crate::bvh::PrimitiveId;
 use crate::geometry::RawHit;
+use crate::lights::LightSource;
 
 /// Scratch space of one request.
 #[derive(Default)]
@@ -17,6 +18,8 @@ pub(super) struct Scratch {
     pub(super) occluders: Vec<Occluder>,
     pub(super) found: Vec<Occluder>,
     pub(super) ranges: Vec<(u32, u32, u32)>,
+    /// Of each point, where the light comes from.
+    pub(super) sources: Vec<LightSource>,
 }
 
 /// Something between a point and a light.

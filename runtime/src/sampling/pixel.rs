@@ -17,7 +17,7 @@ pub fn pixel_position(seed: u64, x: u32, y: u32, sample: u32, samples: u32) -> [
 }
 
 /// Sobol's second dimension, by its generator matrix.
-fn second_dimension(mut index: u32) -> u32 {
+pub(super) fn second_dimension(mut index: u32) -> u32 {
     let (mut column, mut bits) = (1 << 31, 0);
     while index != 0 {
         if index & 1 != 0 {

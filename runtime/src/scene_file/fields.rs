@@ -2,11 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use phenomenon_compiler::check::Setting;
-use phenomenon_compiler::document::{Object, Reader, Section, Value};
+use phenomenon_compiler::check::{Setting, read_color, space_of};
+use phenomenon_compiler::diagnostics::Code;
+use phenomenon_compiler::document::{Object, Reader, Section, Value, ValueKind};
 
 use super::description::{MaterialRef, MaterialSource, PresetRef};
-use super::keys::COORDINATES;
+use super::key_kinds::{COORDINATES, LIGHT};
 
 /// A point, direction or the like.
 pub(super) fn vector<'d>(
@@ -16,6 +17,31 @@ pub(super) fn vector<'d>(
 ) -> Option<[f64; 3]> {
     let value = object.required(reader, key)?;
     reader.numbers(value, &format!("`{key}` of {}", object.what), COORDINATES)
+}
+
+/// A colour of light: three numbers, or a colour in a named space.
+pub(super) fn color<'d>(reader: &mut Reader<'d>, value: &'d Value, what: &str) -> Option<[f64; 3]> {
+    let space = match value.kind {
+        ValueKind::Object(_) => space_of(value),
+        _ => None,
+    };
+    let Some(space) = space else { return reader.numbers(value, what, LIGHT) };
+    let [r, g, b, alpha] = read_color(reader, value, space)?.map(f64::from);
+    if alpha != 1.0 {
+        let message = format!("{what} has an alpha, and light has none");
+        reader.report(Code::BAD_COLOR, value, message, "leave the fourth component out");
+        return None;
+    }
+    let color = [r, g, b];
+    let [r, g, b] = color.map(|x| x as f32);
+    if !color.iter().all(|x| LIGHT.contains(x)) {
+        let message =
+            format!("{what} is {r}, {g}, {b} in linear Rec. 709, where light is 0 to 1e12");
+        let help = "give a colour that Rec. 709 has: a component below 0 lies outside of it";
+        reader.report(Code::NUMBER_OUT_OF_RANGE, value, message, help);
+        return None;
+    }
+    Some(color)
 }
 
 /// An object with the keys of a section, or a finding.

@@ -12,7 +12,7 @@ use super::assets::Assets;
 use super::description::{GraphUse, SceneDescription, SceneOptions};
 use super::fields::section;
 use super::keys::{OPTIONS, SCENE};
-use super::{objects, surroundings};
+use super::{lights, objects, surroundings};
 use crate::film::{PIXEL_LIMIT, SIDE_LIMIT};
 use crate::render::SAMPLE_LIMIT;
 use crate::scene::{DEPTH_LIMIT, TraceDepth};
@@ -113,7 +113,7 @@ fn scene(
         .required(reader, "objects")
         .and_then(|value| objects::objects(reader, value, folder, assets, &mut file.uses));
     let lights = match object.optional("lights") {
-        Some(value) => surroundings::lights(reader, value),
+        Some(value) => lights::lights(reader, value),
         None => Some(Vec::new()),
     };
     file.lights = lights.as_ref().map(|lights| LightNames {

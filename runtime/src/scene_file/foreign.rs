@@ -4,34 +4,46 @@ use phenomenon_compiler::diagnostics::{Code, Finding, shortened};
 use phenomenon_compiler::document::{Member, Reader, Value, ValueKind};
 
 /// Lights there are not, and what comes near.
-const LIGHTS: [(&[&str], &str); 4] = [
+const LIGHTS: [(&[&str], &str); 5] = [
+    (
+        &["area", "rect", "quad", "square", "plane", "softbox", "portal"],
+        "light from a flat surface is a `rectangle` or a `disc`",
+    ),
+    (&["disk", "circle"], "a round one is a `disc`"),
+    (
+        &["tube", "cylinder", "line", "mesh", "geometry", "capsule"],
+        "long ones are a `rectangle` of little height, round ones a `sphere`",
+    ),
+    (&["cone", "photometric", "ies", "projector", "goniometric"], "light in a cone is a `spot`"),
     (
         &[
-            "area",
-            "rect",
-            "rectangle",
-            "quad",
-            "disk",
-            "sphere",
-            "tube",
-            "cylinder",
-            "mesh",
-            "softbox",
+            "dome",
+            "sky",
+            "skydome",
+            "environment",
+            "env",
+            "hdri",
+            "ibl",
+            "image",
+            "infinite_area",
+            "ambient",
+            "hemisphere",
         ],
-        "lights have no size: give several `point` lights",
-    ),
-    (
-        &["spot", "spotlight", "cone", "photometric", "ies", "projector", "goniometric"],
-        "a `point` light shines in every direction alike",
-    ),
-    (
-        &["dome", "sky", "skydome", "environment", "env", "hdri", "ibl", "image", "infinite_area"],
         "light from all around is the `environment` of the scene",
     ),
+];
+
+/// How a light of each kind is written.
+const FORMS: [(&str, &str); 6] = [
+    ("point", "{ \"position\": [x, y, z] }"),
+    ("spot", "{ \"position\": [x, y, z], \"direction\": [x, y, z] }"),
+    ("directional", "{ \"direction\": [x, y, z] }"),
     (
-        &["ambient", "hemisphere", "portal"],
-        "light from all around is the `environment` of the scene",
+        "rectangle",
+        "{ \"position\": [x, y, z], \"direction\": [x, y, z], \"width\": w, \"height\": h }",
     ),
+    ("disc", "{ \"position\": [x, y, z], \"direction\": [x, y, z], \"radius\": r }"),
+    ("sphere", "{ \"position\": [x, y, z], \"radius\": r }"),
 ];
 
 /// Shapes there are not.
@@ -47,13 +59,16 @@ pub(super) fn has_other_keys(value: &Value, keys: &[&str]) -> bool {
 
 /// Reports a light of a kind there is none of, or whose kind is given as a word; whether it did.
 pub(super) fn light(reader: &mut Reader<'_>, value: &Value) -> bool {
-    if value.get("point").is_some() || value.get("directional").is_some() {
+    if FORMS.iter().any(|(kind, _)| value.get(kind).is_some()) {
         return false;
     }
-    let instead = |name: &str| {
+    let plain = |name: &str| {
         let name = name.to_lowercase();
-        let name = name.trim_end_matches("light").trim_end_matches(['_', '-', ' ']);
-        LIGHTS.iter().find(|(names, _)| names.contains(&name)).map(|(_, instead)| *instead)
+        name.trim_end_matches("light").trim_end_matches(['_', '-', ' ']).to_owned()
+    };
+    let instead = |name: &str| {
+        let name = plain(name);
+        LIGHTS.iter().find(|(names, _)| names.contains(&&*name)).map(|(_, instead)| *instead)
     };
     let is_type = |member: &&Member| ["type", "kind"].contains(&member.key.as_str());
     let typed = value.members().iter().find(is_type).and_then(|member| match &member.value.kind {
@@ -65,13 +80,20 @@ pub(super) fn light(reader: &mut Reader<'_>, value: &Value) -> bool {
     let (member, message, help) = match (found, typed) {
         (Some((member, name, instead)), _) => {
             let message = format!("there is no `{}` light", shortened(name));
-            (member, message, format!("a light is `point` or `directional`; {instead}"))
+            (
+                member,
+                message,
+                format!(
+                    "a light is one of `point`, `spot`, `directional`, `rectangle`, `disc` and `sphere`; {instead}"
+                ),
+            )
         }
-        (None, Some((member, _))) => (
-            member,
-            "the kind of a light is a key, not a word".to_owned(),
-            "write `\"point\": { \"position\": [x, y, z] }` or `\"directional\": { \"direction\": [x, y, z] }`".into(),
-        ),
+        (None, Some((member, name))) => {
+            let is_meant = |(kind, _): &&(&str, &str)| *kind == plain(name);
+            let (kind, form) = FORMS.iter().find(is_meant).unwrap_or(&FORMS[0]);
+            let message = "the kind of a light is a key, not a word".to_owned();
+            (member, message, format!("write `\"{kind}\": {form}`"))
+        }
         (None, None) => return false,
     };
     let place = reader.document.place_of_key(member);

@@ -1,42 +1,12 @@
 //! The keys of scene files: from them come the lists of keys the reader knows, the schema, the reference page and
 //! completion. A test holds the defaults and ranges given here against what the reader does.
 
-use std::ops::RangeInclusive;
+use phenomenon_compiler::document::{FORMAT, Given, Kind, Section};
 
-use phenomenon_compiler::document::{FORMAT, Given, Key, Kind, Section};
-
-/// What coordinates and factors of scale may be.
-pub const COORDINATES: RangeInclusive<f64> = -1e12..=1e12;
-/// What lengths may be.
-pub const LENGTHS: RangeInclusive<f64> = 1e-12..=1e12;
-/// What colours and intensities of light may be.
-pub const LIGHT: RangeInclusive<f64> = 0.0..=1e12;
-
-/// A point, direction or three angles.
-const VECTOR: Kind = Kind::Several(&Kind::Number(COORDINATES), 3..=3);
-/// Red, green and blue.
-const COLOR: Kind = Kind::Several(&Kind::Number(LIGHT), 3..=3);
-const LENGTH: Kind = Kind::Number(LENGTHS);
-
-const SCENE_UNITS: &str = "scene units";
-const DEGREES: &str = "degrees";
-/// The unit of colours.
-pub const LINEAR: &str = "linear Rec. 709";
-
-/// A key without a unit.
-const fn key(name: &'static str, kind: Kind, given: Given, doc: &'static str) -> Key {
-    measured(name, kind, given, "", doc)
-}
-
-const fn measured(
-    name: &'static str,
-    kind: Kind,
-    given: Given,
-    unit: &'static str,
-    doc: &'static str,
-) -> Key {
-    Key { name, kind, only: &[], given, unit, doc }
-}
+use super::key_kinds::{
+    COLOR, COORDINATES, DEGREES, LENGTH, LIGHT, LINEAR, SCENE_UNITS, VECTOR, key, measured,
+};
+use super::light_keys::LIGHT_SOURCE;
 
 /// A scene file.
 pub static SCENE: Section = Section {
@@ -256,56 +226,6 @@ pub static MATERIAL: Section = Section {
         ),
     ],
     one_of: &["subject", "file"],
-};
-
-/// A light.
-pub static LIGHT_SOURCE: Section = Section {
-    name: "light",
-    what: "a light",
-    keys: &[
-        key(
-            "name",
-            Kind::Text,
-            Given::Required,
-            "What graphs call it; no two lights have the same",
-        ),
-        key(
-            "point",
-            Kind::Object(&POINT),
-            Given::Choice,
-            "It shines from a point in all directions",
-        ),
-        key(
-            "directional",
-            Kind::Object(&DIRECTIONAL),
-            Given::Choice,
-            "It shines from infinitely far, everywhere alike",
-        ),
-        measured("color", COLOR, Given::Default("[1, 1, 1]"), LINEAR, "Its colour"),
-        key("intensity", Kind::Number(LIGHT), Given::Default("1"), "Factor on its colour"),
-    ],
-    one_of: &["point", "directional"],
-};
-
-/// A point light.
-pub static POINT: Section = Section {
-    name: "point",
-    what: "a point light",
-    keys: &[measured("position", VECTOR, Given::Required, SCENE_UNITS, "Where it stands")],
-    one_of: &[],
-};
-
-/// A directional light.
-pub static DIRECTIONAL: Section = Section {
-    name: "directional",
-    what: "a directional light",
-    keys: &[key(
-        "direction",
-        VECTOR,
-        Given::Required,
-        "The direction its light travels in, of any length but 0",
-    )],
-    one_of: &[],
 };
 
 /// What rays see that leave the scene.

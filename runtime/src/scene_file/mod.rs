@@ -7,7 +7,10 @@ mod fields;
 mod file;
 mod fit;
 mod foreign;
+mod key_kinds;
 mod keys;
+mod light_keys;
+mod lights;
 mod mesh_file;
 mod meshes;
 mod objects;
@@ -24,5 +27,6 @@ pub use file::{
     LightNames, SceneFile, check_scene, check_scene_with, is_scene, read_scene, read_scene_file,
 };
 pub use fit::{MAX_UNKNOWN_LIGHTS, missing_root, settings, unknown_lights};
-pub use keys::{COORDINATES, LENGTHS, LIGHT, LINEAR, SCENE};
+pub use key_kinds::{COORDINATES, LENGTHS, LIGHT, LINEAR};
+pub use keys::SCENE;
 pub use schema::file_schema;

@@ -14,7 +14,8 @@ use super::description::{
 };
 use super::fields::{file_path, graph_file, preset, section, settings, vector};
 use super::foreign;
-use super::keys::{COORDINATES, LENGTHS, MATERIAL, OBJECT, RECTANGLE, SPHERE, TRANSFORM};
+use super::key_kinds::{COORDINATES, LENGTHS};
+use super::keys::{MATERIAL, OBJECT, RECTANGLE, SPHERE, TRANSFORM};
 use super::meshes::Meshes;
 use crate::geometry::{Mesh, Normals, ShadowTerminator, Transform};
 

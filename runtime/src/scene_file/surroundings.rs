@@ -1,22 +1,20 @@
-//! The camera, the lights and the environment of a scene file.
+//! The camera and the environment of a scene file.
 
-use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use phenomenon_compiler::diagnostics::{Code, Finding};
-use phenomenon_compiler::document::{Object, Reader, Value, ValueKind};
+use phenomenon_compiler::diagnostics::Code;
+use phenomenon_compiler::document::{Object, Reader, Value};
 use phenomenon_compiler::graph::RootKind;
 
 use super::assets::{Assets, Unusable};
 use super::description::{EnvironmentDescription, GraphUse};
-use super::fields::{file_path, graph_file, section, vector};
+use super::fields::{color, file_path, graph_file, section, vector};
 use super::foreign;
-use super::keys::{
-    CAMERA, COORDINATES, DIRECTIONAL, ENVIRONMENT, GRADIENT, LIGHT, LIGHT_SOURCE, POINT,
-};
+use super::key_kinds::{COORDINATES, LIGHT};
+use super::keys::{CAMERA, ENVIRONMENT, GRADIENT};
 use crate::camera::Camera;
-use crate::lights::{Environment, EnvironmentImage, Light, LightKind};
+use crate::lights::{Environment, EnvironmentImage};
 
 pub(super) fn camera<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Camera> {
     let object = section(reader, value, &CAMERA)?;
@@ -38,74 +36,6 @@ pub(super) fn camera<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Ca
             None
         }
     }
-}
-
-pub(super) fn lights<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Vec<Light>> {
-    let mut lights: Vec<Light> = Vec::new();
-    let mut complete = true;
-    let mut named: HashMap<&str, &Value> = HashMap::new();
-    for element in reader.list(value, "`lights`")? {
-        match light(reader, element) {
-            Some(light) => lights.push(light),
-            None => complete = false,
-        }
-        let Some(name) = element.get("name") else { continue };
-        let ValueKind::String(text) = &name.kind else { continue };
-        let first = *named.entry(text).or_insert(name);
-        if !std::ptr::eq(first, name) {
-            let message = format!("two lights are called `{text}`");
-            let help = "rename one: graphs list lights by name";
-            let finding = Finding::new(Code::BAD_NAME, reader.document.place(name), message, help)
-                .with_related(reader.document.place(first), "first given here");
-            reader.findings.push(finding);
-        }
-    }
-    complete.then_some(lights)
-}
-
-fn light<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Light> {
-    if foreign::light(reader, value) {
-        return None;
-    }
-    let object = section(reader, value, &LIGHT_SOURCE)?;
-    let name = object.required(reader, "name").and_then(|name| reader.string(name, "`name`"));
-    let color = match object.optional("color") {
-        Some(value) => reader.numbers(value, "`color` of a light", LIGHT),
-        None => Some([1.0; 3]),
-    };
-    let intensity = match object.optional("intensity") {
-        Some(value) => reader.number(value, "`intensity` of a light", LIGHT),
-        None => Some(1.0),
-    };
-    let kind = match (object.optional("point"), object.optional("directional")) {
-        (Some(point), None) => {
-            let object = section(reader, point, &POINT);
-            object
-                .and_then(|object| vector(reader, &object, "position"))
-                .map(|position| LightKind::Point { position: position.map(|x| x as f32) })
-        }
-        (None, Some(sun)) => {
-            let object = section(reader, sun, &DIRECTIONAL);
-            let direction = object
-                .and_then(|object| vector(reader, &object, "direction"))
-                .map(|direction| direction.map(|x| x as f32));
-            if direction == Some([0.0; 3]) {
-                let message = "a directional light needs a direction that is not zero";
-                reader.report(Code::UNUSABLE_OBJECT, sun, message, "its light travels along it");
-            }
-            direction.map(|direction| LightKind::Directional { direction })
-        }
-        // The key it is given by was told to be none.
-        (None, None) if foreign::has_other_keys(value, &LIGHT_SOURCE.names()) => None,
-        _ => {
-            let message = "a light is either `point` or `directional`";
-            reader.report(Code::UNUSABLE_OBJECT, value, message, "give one of the two keys");
-            None
-        }
-    };
-    let (color, intensity) = (color?, intensity?);
-    let power = color.map(|color| (color * intensity) as f32);
-    Some(Light { name: name?.to_owned(), power, kind: kind? })
 }
 
 pub(super) fn environment<'d>(
@@ -149,8 +79,8 @@ pub(super) fn environment<'d>(
             return Some(EnvironmentDescription::Shader(material));
         }
         "color" => {
-            let color = object.required(reader, "color")?;
-            let [r, g, b] = reader.numbers(color, "`color` of the environment", LIGHT)?;
+            let given = object.required(reader, "color")?;
+            let [r, g, b] = color(reader, given, "`color` of the environment")?;
             Environment::Constant([r as f32, g as f32, b as f32, 1.0])
         }
         "gradient" => {
@@ -164,12 +94,11 @@ pub(super) fn environment<'d>(
 
 fn gradient<'d>(reader: &mut Reader<'d>, value: &'d Value) -> Option<Environment> {
     let object = section(reader, value, &GRADIENT)?;
-    let mut color = |key: &str| {
+    let mut height = |key: &str| {
         let value = object.required(reader, key)?;
-        let color: [f64; 3] = reader.numbers(value, &format!("`{key}`"), LIGHT)?;
-        Some(color.map(|x| x as f32))
+        Some(color(reader, value, &format!("`{key}`"))?.map(|x| x as f32))
     };
-    let (zenith, horizon, ground) = (color("zenith"), color("horizon"), color("ground"));
+    let (zenith, horizon, ground) = (height("zenith"), height("horizon"), height("ground"));
     Some(Environment::Gradient { zenith: zenith?, horizon: horizon?, ground: ground? })
 }
 

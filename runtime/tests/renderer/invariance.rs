@@ -2,7 +2,7 @@
 
 use phenomenon_runtime::film::Film;
 use phenomenon_runtime::geometry::{Mesh, Transform};
-use phenomenon_runtime::lights::{Environment, Light, LightKind};
+use phenomenon_runtime::lights::{Environment, Light, LightKind, Sphere};
 use phenomenon_runtime::render::{RayCounts, RenderError, Settings, render};
 use phenomenon_runtime::scene::Scene;
 
@@ -25,6 +25,8 @@ fn scene(together: bool) -> Scene {
     builder.light(Light { name: "a".into(), power: [30.0; 3], kind });
     let kind = LightKind::Directional { direction: [0.3, -1.0, -0.4] };
     builder.light(Light { name: "b".into(), power: [0.5; 3], kind });
+    let kind = LightKind::Sphere(Sphere::new([-3.0, 4.0, 1.0], 0.7, 3));
+    builder.light(Light { name: "c".into(), power: [9.0; 3], kind });
     builder.environment(Environment::Gradient {
         zenith: [0.2, 0.4, 0.8],
         horizon: [0.9; 3],

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::effects::{LightList, LightSample, Points, Renderer};
+use phenomenon_compiler::effects::{LightList, LightMode, LightSample, Points, Renderer};
 use phenomenon_compiler::state::{RayType, State};
 use phenomenon_runtime::geometry::{Mesh, ShadowTerminator, Transform};
 use phenomenon_runtime::lights::{Light, LightKind};
@@ -33,7 +33,7 @@ fn floor_state(x: f32) -> State {
 fn colors(scene: &Scene, names: &[&str], iteration: usize, points: &[State]) -> Vec<[f32; 3]> {
     let mut context = Context::new(scene, 2);
     let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
-    let list = context.light_list(&names);
+    let list = context.light_list(&names, LightMode::Listed);
     let mut colors = vec![[9.0; 3]; points.len()];
     let tokens = tokens(&mut context, list, iteration, points);
     context.light_colors(points.into(), &tokens, &mut colors);
@@ -72,14 +72,14 @@ fn lights_are_listed_by_name_in_the_order_given() {
     let scene = with(|_| {});
     let mut context = Context::new(&scene, 8);
     let name = |names: &[&str]| names.iter().map(|&n| n.to_owned()).collect::<Vec<_>>();
-    let all = context.light_list(&[]);
+    let all = context.light_list(&[], LightMode::Listed);
     assert_eq!(context.light_count(all), 2);
-    let swapped = context.light_list(&name(&["lamp", "sun"]));
+    let swapped = context.light_list(&name(&["lamp", "sun"]), LightMode::Listed);
     assert_eq!(context.light_count(swapped), 2);
-    let none = context.light_list(&name(&["moon"]));
+    let none = context.light_list(&name(&["moon"]), LightMode::Listed);
     assert_eq!(context.light_count(none), 0);
     // Asked again, a renderer gives the same number: it looks for names once.
-    assert_eq!(context.light_list(&name(&["lamp", "sun"])), swapped);
+    assert_eq!(context.light_list(&name(&["lamp", "sun"]), LightMode::Listed), swapped);
     let mut samples = [LightSample::default()];
     let floor = [floor_state(0.0)];
     let floor = Points::from(&floor[..]);
@@ -127,7 +127,7 @@ fn behind_anything_opaque_no_filter_is_asked() {
         builder.sphere([0.0, 2.5, 0.0], 0.5, &Transform::default(), opaque).unwrap();
     });
     let mut context = Context::new(&scene, 8);
-    let list = context.light_list(&[]);
+    let list = context.light_list(&[], LightMode::Listed);
     let mut colors = [[1.0; 3]];
     let tokens = tokens(&mut context, list, 0, &[floor_state(0.0)]);
     context.light_colors((&[floor_state(0.0)][..]).into(), &tokens, &mut colors);
@@ -145,7 +145,7 @@ fn the_second_filter_is_not_asked_once_the_first_is_black() {
         }
     });
     let mut context = Context::new(&scene, 8);
-    let list = context.light_list(&[]);
+    let list = context.light_list(&[], LightMode::Listed);
     let mut colors = [[1.0; 3]];
     let tokens = tokens(&mut context, list, 0, &[floor_state(0.0)]);
     context.light_colors((&[floor_state(0.0)][..]).into(), &tokens, &mut colors);

@@ -2,6 +2,7 @@
 
 mod answers;
 mod invariance;
+mod light_samples;
 mod lighting;
 mod meshes;
 mod polygons;

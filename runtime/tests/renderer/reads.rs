@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use phenomenon_compiler::effects::{Answer, Effect, LightSample, Ray, Renderer, Trace};
+use phenomenon_compiler::effects::{Answer, Effect, LightMode, LightSample, Ray, Renderer, Trace};
 use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::state::{Field, Iterated, State};
 use phenomenon_compiler::values::Type;
@@ -137,7 +137,7 @@ fn light_is_the_same_from_a_poisoned_state() {
             points.iter().map(|point| poisoned(point, reads)).collect::<Vec<State>>()
         };
         let mut context = Context::new(&scene, 64);
-        let list = context.light_list(&[]);
+        let list = context.light_list(&[], LightMode::Listed);
         let mut samples = vec![LightSample::default(); points.len()];
         context.light_samples(list, 0, poison(of_samples)[..].into(), &mut samples);
         let tokens: Vec<u64> = samples.iter().map(|sample| sample.token).collect();

@@ -2,7 +2,9 @@
 
 use std::sync::{Arc, Mutex};
 
-use phenomenon_compiler::effects::{Answer, Effect, EffectSet, LightSample, Ray, Renderer, Trace};
+use phenomenon_compiler::effects::{
+    Answer, Effect, EffectSet, LightMode, LightSample, Ray, Renderer, Trace,
+};
 use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
@@ -168,7 +170,7 @@ pub fn normals() -> Arc<Hand> {
 /// White paper under all lights, in a pattern that shows which way is which.
 pub fn matte(together: bool) -> Arc<Hand> {
     Arc::new(Hand::material(move |points, renderer, results| {
-        let list = renderer.light_list(&[]);
+        let list = renderer.light_list(&[], LightMode::Listed);
         results.fill(Shaded { color: [0.05, 0.05, 0.05, 1.0], ok: true });
         for light in 0..renderer.light_count(list) {
             let size = if together { points.len().max(1) } else { 1 };

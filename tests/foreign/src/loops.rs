@@ -41,6 +41,7 @@ over_samples!(
 
 /// The node `mean_over_lights`.
 pub mod mean_over_lights {
+    use phenomenon_compiler::effects::LightMode;
     use phenomenon_compiler::node;
     use phenomenon_compiler::nodes::Kind;
     use phenomenon_compiler::state::{Iterated, Reduction};
@@ -52,6 +53,8 @@ pub mod mean_over_lights {
         inputs {
             /// Which.
             lights: lights = Vec::new();
+            /// What they stand for.
+            mode: choice = 0, of LightMode::NAMES;
         }
         scoped {
             /// What a light yields.

@@ -2,7 +2,7 @@
 
 use cranelift_entity::{EntityRef, PrimaryMap};
 
-use crate::effects::{Asked, Effect, Sampling};
+use crate::effects::{Asked, Effect, LightMode, NamedLights, Sampling};
 use crate::kernels::BodyForms;
 use crate::nodes::Kind;
 use crate::specialise::keys::{mix_key, path_key};
@@ -40,7 +40,10 @@ impl Builder<'_> {
                 }
                 frame.taken =
                     (std::mem::take(&mut frame.words), std::mem::take(&mut frame.demands));
-                let list = (*iterated == Iterated::Lights).then(|| self.light_list(view));
+                let list = match iterated {
+                    Iterated::Lights => Some(self.light_list(view)?),
+                    Iterated::Samples => None,
+                };
                 let fields = self.slots(iterated.words() as u32);
                 let kind = EpochKind::Loop { iterated: *iterated, fields, list };
                 self.result.epochs.open(epoch, &name, iterated.provides().collect(), kind)
@@ -126,13 +129,18 @@ impl Builder<'_> {
         Ok(sampling)
     }
 
-    fn light_list(&mut self, view: usize) -> LightListId {
+    fn light_list(&mut self, view: usize) -> Result<LightListId, SpecialiseError> {
         let names = self.given(view).find_map(|literal| match literal {
             Literal::Lights(names) => Some(names),
             Literal::Light(name) => Some(vec![name]),
             _ => None,
         });
-        found_or_pushed(&mut self.result.light_lists, names.unwrap_or_default())
+        let mode = match self.views.fixed_words(view).first() {
+            Some(&(input, _)) => LightMode::from_number(self.fixed(view, input)?),
+            None => LightMode::default(),
+        };
+        let lights = NamedLights::new(names.unwrap_or_default(), mode);
+        Ok(found_or_pushed(&mut self.result.light_lists, lights))
     }
 
     /// Makes the node of a frame whose inputs are all there.

@@ -1,6 +1,6 @@
 //! Loops, turn by turn.
 
-use crate::effects::LightSample;
+use crate::effects::{LightMode, LightSample};
 use crate::graph::Binding;
 use crate::specialise::mix_key;
 use crate::state::{Field, Iterated, MOST_TURNS, Reduction};
@@ -53,7 +53,8 @@ impl Evaluation<'_> {
             }
             return Ok((turns, count));
         }
-        let list = self.renderer.light_list(&self.lights(node));
+        let mode = LightMode::from_number(self.input(node, 1, at)?[0] as i32);
+        let list = self.renderer.light_list(&self.lights(node), mode);
         let state = self.state(&[Field::Point, Field::NormalGeom], at)?;
         let count = self.renderer.light_count(list);
         for turn in 0..count {
