@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::ops::RangeInclusive;
 
 use crate::diagnostics::{Code, shortened, synonyms};
-use crate::document::{Member, Object, Reader, Value};
+use crate::document::{Member, Object, Reader, Value, ValueKind};
 use crate::nodes::FINITE;
 use crate::values::Type;
 
@@ -71,6 +71,12 @@ pub(super) fn declaration<'d>(
     choices.extend([Said::Array, Said::Struct].map(|said| (said.name(), said)));
     let said = object.required(reader, "type").and_then(|value| {
         let what = "the type of a parameter";
+        if let ValueKind::Array(_) = value.kind {
+            let message = format!("{what} must be a string, not {}", value.describe());
+            let help = "an array is `\"type\": \"array\", \"of\": { \"type\": … }`";
+            reader.report(Code::WRONG_KIND, value, message, help);
+            return None;
+        }
         reader.choice_or(value, what, &choices, synonyms::value_type)
     });
     let has_values = object.optional("values").is_some();

@@ -32,7 +32,7 @@ struct Scope<'d> {
     own: HashMap<&'d str, usize>,
     /// Those it uses as types of nodes, each where it does so first.
     uses: Vec<(usize, &'d Value)>,
-    /// Those it names as if they were of the library.
+    /// Those it names where that is a mistake, as if they were of the library.
     named: Vec<usize>,
     found: Found,
 }
@@ -101,7 +101,14 @@ impl<'d> Inner<'d> {
         let (mut uses, mut named): (Vec<(usize, &Value)>, Vec<usize>) = Default::default();
         let mut seen: HashMap<&str, ()> = HashMap::new();
         for node in self.scopes[at].value.get("nodes").map_or(&[][..], Value::members) {
-            let Some(value) = node.value.get("type") else { continue };
+            let Some(value) = node.value.get("type") else {
+                // A type is missing, and that is told.
+                named.extend(inner_of(&node.value).and_then(|name| self.position(at, name)));
+                continue;
+            };
+            // A turn that could not be written out was told too.
+            let turned = ["map", "fold"].iter().filter_map(|form| inner_of(value.get(form)?));
+            named.extend(turned.filter_map(|name| self.position(at, name)));
             if let ValueKind::String(name) = &value.kind {
                 named.extend(self.position(at, name));
             }

@@ -82,8 +82,10 @@ fn read_header<'d>(
             _ => unknown.push(part),
         }
     }
-    unknown_keys(reader, draft, member, node_type, unknown);
-    if !has_type {
+    if has_type {
+        unknown_keys(reader, draft, member, node_type, unknown);
+    } else if !type_as_key(reader, draft, member, &unknown) {
+        unknown_keys(reader, draft, member, None, unknown);
         reader.missing(&member.value, &what(), "type");
     }
     if let (Some(node_type), Some((version, value))) = (node_type, version) {
@@ -95,6 +97,41 @@ fn read_header<'d>(
         Some(_) => draft.node_types.over_list(node_type?),
         None => node_type,
     }
+}
+
+/// Reports a node without `type` that says what it is by a key that belongs into one, or is an expression; false
+/// where it is none of these.
+fn type_as_key(
+    reader: &mut Reader<'_>,
+    draft: &Draft<'_>,
+    node: &Member,
+    unknown: &[&Member],
+) -> bool {
+    const FORMS: [&str; 5] = ["expression", "phenomenon", "file", "map", "fold"];
+    let Some(key) = unknown.iter().find(|member| FORMS.contains(&member.key.as_str())) else {
+        return false;
+    };
+    // What it names or connects is not looked at where it stands.
+    draft.unresolved.set(true);
+    let name = shortened(&node.key);
+    let (message, help) = match (key.key.as_str(), &key.value.kind) {
+        ("expression", _) => (
+            format!("node `{name}` is an expression, which is no node"),
+            "write it where it is used, or as the `value` of a `constant_scalar`, `constant_vector` or \
+             `constant_color`"
+                .to_owned(),
+        ),
+        (form, ValueKind::String(of)) => (
+            format!("node `{name}` has `{form}` in the place of its `type`"),
+            format!("write `\"type\": {{ \"{form}\": {} }}`", shortened(&quoted(of))),
+        ),
+        (form, _) => (
+            format!("node `{name}` has `{form}` in the place of its `type`"),
+            format!("write `\"type\": {{ \"{form}\": … }}`"),
+        ),
+    };
+    reader.report_key(Code::MISSING_KEY, key, message, help);
+    true
 }
 
 /// Reports the keys a node does not have. Those that are inputs of its type stand a level too high, which
@@ -196,6 +233,9 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
                 let form = format!("{{ \"phenomenon\": {} }}", quoted(name));
                 Advice { help: format!("write `{}`", shortened(&form)), fix: Some(form) }
             }
+            false if matches!(name, "map" | "fold") => Advice::from(format!(
+                "write `{{ \"{name}\": {{ \"file\": … }} }}`, or `\"phenomenon\"` for one in this file"
+            )),
             false => reader.advice(name, names.iter().copied(), synonym, || {
                 "`phenomenon nodes` lists every type".into()
             }),

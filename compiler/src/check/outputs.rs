@@ -45,6 +45,13 @@ fn read_output<'d>(
     draft: &Draft<'d>,
 ) -> Option<DraftOutput<'d>> {
     let what = format!("output `{}`", shortened(&member.key));
+    if is_bare(&member.value) {
+        let message = format!("{what} is a connection, so its type is not declared");
+        let form = "`{ \"type\": …, \"from\": { … } }`";
+        let help = format!("declare it, with the connection under `from`: {form}");
+        reader.report_key(Code::MISSING_KEY, member, message, help);
+        return None;
+    }
     let object = reader.object(&member.value, &what, &OUTPUT.names())?;
     let doc = object.optional("doc").and_then(|value| reader.string(value, "`doc`"));
     let choices = Type::COMPUTED.map(|value_type| (value_type.name(), value_type));
@@ -54,6 +61,13 @@ fn read_output<'d>(
     let from = object.required(reader, "from")?;
     let source = sources::read(reader, from, draft);
     Some(DraftOutput { member, value_type, doc: doc.unwrap_or_default().to_owned(), source })
+}
+
+/// Whether it is what should stand under `from`.
+fn is_bare(value: &Value) -> bool {
+    let has = |key: &&str| value.get(key).is_some();
+    ["node", "interface", "expression"].iter().any(has)
+        && !["type", "from"].iter().any(|key| has(key))
 }
 
 /// The outputs with their values, the types checked.

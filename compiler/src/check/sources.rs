@@ -3,11 +3,13 @@
 use crate::diagnostics::synonyms;
 use crate::diagnostics::{Advice, Code, Finding, is_near, listed, shortened};
 use crate::document::{Reader, Value, ValueKind};
+use crate::nodes::Signature;
 
 use super::draft::{Draft, Source, SourceKind};
 use super::keys::{COLOR, CONNECTION, CONNECTION_KEYS};
 use super::references::{self, Part, quoted};
 use super::shape::struct_literal;
+use super::type_names::with_article;
 use super::{color_literals, components};
 
 const HELP: &str = "write `{ \"node\": \"name\" }`, `{ \"node\": \"name\", \"output\": \"name\" }` or `{ \"interface\": \"name\" }`";
@@ -128,9 +130,12 @@ fn unknown_output(
         }
         None => {
             let has = |name: &str| signature.output(name).is_some();
-            reader.advice(output, names(), synonyms::output(output, has), || {
-                format!("its outputs are {}", listed(names()))
-            })
+            match whole_of(signature, output) {
+                Some(help) => help.into(),
+                None => reader.advice(output, names(), synonyms::output(output, has), || {
+                    format!("its outputs are {}", listed(names()))
+                }),
+            }
         }
     };
     let message = format!(
@@ -141,6 +146,24 @@ fn unknown_output(
     );
     let place = reader.document.place(given);
     reader.findings.push(Finding::misspelt(Code::UNKNOWN_OUTPUT, place, message, advice));
+}
+
+/// What to write instead of a component that the output before the point has not.
+fn whole_of(signature: &Signature, text: &str) -> Option<String> {
+    let (name, _) = text.rsplit_once('.')?;
+    let output = &signature.outputs[signature.output(name)?];
+    let has = with_article(output.value_type);
+    Some(match components::letters(output.value_type) {
+        "" => format!("`{name}` is {has}, which has no components: write `{}`", quoted(name)),
+        letters => {
+            let forms = letters.chars().map(|letter| format!("{name}.{letter}"));
+            let forms: Vec<String> = forms.collect();
+            format!(
+                "`{name}` is {has}: its components are {}",
+                listed(forms.iter().map(String::as_str))
+            )
+        }
+    })
 }
 
 /// Reports a connection to a node that does not exist; `lone` is one without `output`.

@@ -18,7 +18,7 @@ mod wording;
 
 pub use advice::Advice;
 pub use codes::{Code, Explanation};
-pub use digits::grouped;
+pub use digits::{grouped, rounded};
 pub use documentation::documentation;
 pub use escape::{escaped, is_deceptive};
 pub use finding::{Finding, Related};

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use super::escaped;
+use super::{escaped, rounded};
 
 /// Names between backticks, at most a dozen and one: `a`, `b` and `c`.
 pub fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
@@ -43,9 +43,9 @@ pub(crate) fn shown(range: &RangeInclusive<f64>) -> String {
     match (low <= -f64::from(f32::MAX), high >= f64::from(f32::MAX)) {
         (true, true) => "the finite numbers".into(),
         (false, true) if low == f64::from(f32::MIN_POSITIVE) => "the numbers above 0".into(),
-        (false, true) => format!("{low} and above"),
-        (true, false) => format!("{high} and below"),
-        (false, false) => format!("{low} to {high}"),
+        (false, true) => format!("{} and above", rounded(low)),
+        (true, false) => format!("{} and below", rounded(high)),
+        (false, false) => format!("{} to {}", rounded(low), rounded(high)),
     }
 }
 

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use phenomenon_compiler::check::as_node;
+use phenomenon_compiler::diagnostics::rounded;
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::{DefaultValue, Input, Kind, Signature};
 use phenomenon_compiler::state::Iterated;
@@ -170,6 +171,7 @@ fn range(value_type: Type, low: f64, high: f64) -> String {
     }
     let (from, to) = (low > -f64::from(f32::MAX), high < f64::from(f32::MAX));
     let above_zero = low == f64::from(f32::MIN_POSITIVE);
+    let (low, high) = (rounded(low), rounded(high));
     match (from, to) {
         (true, true) if above_zero => format!(", above 0, at most {high}"),
         (true, true) => format!(", {low} to {high}"),

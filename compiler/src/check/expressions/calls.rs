@@ -2,7 +2,7 @@
 
 use crate::check::type_names::with_article;
 use crate::check::types::overload_type;
-use crate::diagnostics::synonyms;
+use crate::diagnostics::synonyms::{self, Synonym};
 use crate::diagnostics::{Advice, Code, listed, shortened};
 use crate::document::Value;
 use crate::document::expression::Argument;
@@ -338,11 +338,24 @@ impl Writer<'_, '_> {
                 "`{}` is a value: write it without `( )`, or put an operator between",
                 shortened(name)
             )),
-            false => self.reader.advice(name, names.into_iter(), synonym, || {
+            false => self.reader.advice(name, names.into_iter(), as_function(synonym), || {
                 "`phenomenon nodes` lists every node, and each is a function".into()
             }),
         };
         let message = format!("there is no function `{}`", shortened(name));
         self.advise(Code::UNKNOWN_FUNCTION, &mark, message, advice);
     }
+}
+
+/// What a name means, as the function that takes its arguments in order where there is one: who writes
+/// `vec3(1, 0, 0)` names none of them.
+fn as_function(synonym: Option<Synonym>) -> Option<Synonym> {
+    let mut synonym = synonym?;
+    if let [node] = synonym.ours.as_mut_slice()
+        && functions::find(node).is_none()
+        && let Some(function) = FUNCTIONS.iter().find(|function| function.node == *node)
+    {
+        *node = function.name;
+    }
+    Some(synonym)
 }

@@ -46,6 +46,10 @@ pub(super) fn find<'d>(root: &'d Value, draft: &Draft<'d>) -> Vec<Site<'d>> {
     }
     for section in SECTIONS {
         for member in root.get(section).map_or(&[][..], Value::members) {
+            // An output that is one itself lacks its type, and that is told where outputs are read.
+            if section == "outputs" && member.value.get("expression").is_some() {
+                continue;
+            }
             walk(&member.value, format!("@{section}.{}", member.key), None, &mut found);
         }
     }
