@@ -1,17 +1,15 @@
-use crate::emit::Real;
-
 node! {
     /// Whether a number lies in a range, its ends included; false for NaN, and where `low` is
-    /// above `high`.
-    between in logic,
+    /// above `high`. Integers are compared as integers, exactly, where all three are; else as scalars.
+    between in logic comparing,
     source "",
     inputs {
         /// The number.
-        input: scalar = 0.0;
+        input: generic = 0.0;
         /// Lower end.
-        low: scalar = 0.0;
+        low: generic = 0.0;
         /// Upper end.
-        high: scalar = 1.0;
+        high: generic = 1.0;
     }
     outputs {
         /// Whether it holds.
@@ -27,5 +25,13 @@ mod tests {
         let holds = |x: f32| truth!(input = x, low = 1.0, high = 2.0 => result);
         assert!(holds(1.0) && holds(1.5) && holds(2.0));
         assert!(!holds(0.9) && !holds(2.1) && !holds(f32::NAN));
+    }
+
+    #[test]
+    fn integers_keep_all_their_digits() {
+        let holds =
+            |x: i32, low: i32, high: i32| truth!(input = x, low = low, high = high => result);
+        assert!(holds(16_777_217, 16_777_217, 16_777_217));
+        assert!(!holds(16_777_216, 16_777_217, i32::MAX) && !holds(i32::MIN, -1, 1));
     }
 }
