@@ -32,8 +32,8 @@ const EXAMPLES: &str = "\
 Parameters stand at the left, roots and outputs at the right. Colour and shape of a socket tell its type, a
 hollow socket is evaluated only where needed, a double one in the scope of its node. A pill is
 a default that is evaluated: a field of the state, or a node without a box. What is never evaluated
-is faded, with a cross where constants rule an input out. An expression is one box with its text;
-`--open` draws its nodes. An SVG is drawn of up to 5,000 boxes; DOT has no limit.
+is faded, with a cross where constants rule an input out. An expression is one box with its text,
+which a click opens where the SVG is looked at; `--open` draws its nodes. An SVG is drawn of up to 5,000 boxes; DOT has no limit.
 
 Examples:
   phenomenon show graphs/glass/advanced_glass.json -o glass.svg

@@ -11,8 +11,13 @@ use super::expressions::close;
 use super::implied::{badge, implied};
 use super::values::{self, Value};
 
-/// What is drawn of `graph`, unless that would be more than `limit` cards.
+/// What is drawn of `graph`, unless that would be more than `limit` cards: a box for each expression.
 pub(super) fn diagram(graph: &Graph, limit: usize) -> Result<Diagram<'_>, ShowError> {
+    Ok(close(&open_diagram(graph, limit)?, graph))
+}
+
+/// The same with the nodes that expressions became.
+pub(super) fn open_diagram(graph: &Graph, limit: usize) -> Result<Diagram<'_>, ShowError> {
     let ends = graph.roots.len() + graph.outputs.len();
     let boxes = graph.parameters.len() + graph.nodes.len() + ends;
     if boxes > limit {
@@ -66,6 +71,7 @@ fn end_card<'a>(
         value: None,
         inputs,
         outputs: Vec::new(),
+        opens: None,
     }
 }
 
@@ -111,7 +117,7 @@ impl<'a> Builder<'a> {
             Diagram { name: &self.graph.name, cards, wires: Vec::new(), parameters, nodes };
         self.connect(&mut diagram);
         mark_dead(&mut diagram);
-        close(diagram, self.graph)
+        diagram
     }
 
     fn parameter_card(&self, at: usize) -> Card<'a> {
@@ -126,6 +132,7 @@ impl<'a> Builder<'a> {
             value: Some(values::literal(&parameter.default)),
             inputs: Vec::new(),
             outputs: vec![OutputSocket { name: "", value_type: parameter.value_type }],
+            opens: None,
         }
     }
 
@@ -146,6 +153,7 @@ impl<'a> Builder<'a> {
             value: None,
             inputs,
             outputs: Vec::new(),
+            opens: None,
         }
     }
 

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::diagram::{Card, Dead, Given, InputSocket, OutputSocket, Role};
 use super::frames::{
-    Frame, INDENT, PILL_END, SWATCH, TEXT_GAP, badge_width, given_text, given_value, header,
+    Frame, INDENT, OPEN, PILL_END, SWATCH, TEXT_GAP, badge_width, given_text, given_value, header,
     name_room, value_room,
 };
 use super::layout::Place;
@@ -27,10 +27,16 @@ impl Pen {
             short(place.x),
             short(place.y)
         );
+        if let Some(expression) = card.opens {
+            let _ = writeln!(self.svg, "<a href=\"#expression-{expression}\">");
+        }
         self.tip(&card_tip(card));
         match card.role {
             Role::Parameter => self.parameter(card, frame),
             Role::Node | Role::Root => self.rows(card, frame),
+        }
+        if card.opens.is_some() {
+            self.svg.push_str("</a>\n");
         }
         self.svg.push_str("</g>\n");
     }
@@ -72,6 +78,12 @@ impl Pen {
         let _ = writeln!(self.svg, "<path d=\"{}\" fill=\"{fill}\"/>", header_path(frame, top));
         let room = frame.width - 2.0 * INDENT;
         let title = TITLE.fitted(card.title, room);
+        if card.opens.is_some() {
+            // What a click does is told where the type of a node stands.
+            let badge = card.badge.as_ref().map_or(0.0, |badge| badge_width(badge.text));
+            let x = frame.width - INDENT - badge - SMALL.width(OPEN);
+            self.text(x, 25.5, SMALL, PARAMETER, OPEN);
+        }
         if card.role == Role::Root {
             self.text(INDENT, top / 2.0, TITLE, ink, &title);
         } else {

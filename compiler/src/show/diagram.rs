@@ -52,6 +52,8 @@ pub(super) struct Card<'a> {
     pub inputs: Vec<InputSocket>,
     /// Right side, from the top: those in use.
     pub outputs: Vec<OutputSocket<'a>>,
+    /// For the box of an expression: which of the panels beside the drawing shows its nodes.
+    pub opens: Option<usize>,
 }
 
 /// Why something is never evaluated.

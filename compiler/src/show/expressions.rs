@@ -6,13 +6,10 @@ use crate::graph::Graph;
 
 use super::diagram::{Card, Diagram, Given, InputSocket, OutputSocket, Role, Wire};
 
-/// Puts a box in the place of the nodes of each expression the graph knows.
-pub(super) fn close<'a>(diagram: Diagram<'a>, graph: &'a Graph) -> Diagram<'a> {
+/// The expression of the graph that each card was written for, if one was.
+pub(super) fn groups(diagram: &Diagram<'_>, graph: &Graph) -> Vec<Option<usize>> {
     let known: HashMap<&str, usize> =
         graph.expressions.iter().enumerate().map(|(at, it)| (it.name.as_str(), at)).collect();
-    if known.is_empty() {
-        return diagram;
-    }
     let group_of = |card: &Card<'_>| match card.role {
         Role::Node => {
             let base = card.title.rsplit_once('#').map_or(card.title, |(base, _)| base);
@@ -20,10 +17,15 @@ pub(super) fn close<'a>(diagram: Diagram<'a>, graph: &'a Graph) -> Diagram<'a> {
         }
         Role::Parameter | Role::Root => None,
     };
-    let groups: Vec<Option<usize>> = diagram.cards.iter().map(group_of).collect();
-    let mut closing = Closing::of(&diagram, &groups, graph);
+    diagram.cards.iter().map(group_of).collect()
+}
+
+/// Puts a box in the place of the nodes of each expression the graph knows.
+pub(super) fn close<'a>(diagram: &Diagram<'a>, graph: &'a Graph) -> Diagram<'a> {
+    let groups = groups(diagram, graph);
+    let mut closing = Closing::of(diagram, &groups, graph);
     for wire in &diagram.wires {
-        closing.wire(&diagram, &groups, wire);
+        closing.wire(diagram, &groups, wire);
     }
     Diagram {
         name: diagram.name,
@@ -71,6 +73,7 @@ impl<'a> Closing<'a> {
                     doc: "",
                     inputs: Vec::new(),
                     outputs: Vec::new(),
+                    opens: Some(group),
                     ..card.clone()
                 };
                 closing.cards.push((card, Vec::new()));

@@ -48,6 +48,9 @@ pub(super) fn header(card: &Card<'_>) -> f64 {
     if card.role == Role::Root { ROOT_HEADER } else { HEADER }
 }
 
+/// What is written on a box that opens.
+pub(super) const OPEN: &str = "open";
+
 /// Width of a badge with `text`.
 pub(super) fn badge_width(text: &str) -> f64 {
     BADGE.width(text) + 10.0
@@ -112,6 +115,7 @@ fn parameter_frame(card: &Card<'_>) -> Frame {
 fn rows_frame(card: &Card<'_>) -> Frame {
     let rows = card.inputs.len().max(card.outputs.len());
     let badge = card.badge.as_ref().map_or(0.0, |badge| TEXT_GAP + badge_width(badge.text));
+    let badge = badge + if card.opens.is_some() { TEXT_GAP + SMALL.width(OPEN) } else { 0.0 };
     let subtitle = match card.role {
         Role::Root => 0.0,
         Role::Parameter | Role::Node => SMALL.width(card.subtitle) + badge,

@@ -21,7 +21,7 @@
 //! The way of an SVG: a `diagram` says what is drawn, `frames` how large each box is,
 //! `layers` in which column it stands, `routes` where long wires pass through columns, `order`
 //! who stands above whom, `coordinates` where exactly (`compact` closes empty bands, `straighten`
-//! makes wires level), and `svg` writes it down. Nothing depends
+//! makes wires level), and `svg` writes it down, with a panel for each box that opens (`opened`). Nothing depends
 //! on hashes, time or addresses: the same graph gives the same bytes.
 
 mod build;
@@ -41,6 +41,7 @@ mod layout;
 mod legend;
 mod look;
 mod marks;
+mod opened;
 mod order;
 mod pen;
 mod routes;

@@ -4,12 +4,14 @@ use std::fmt::Write;
 
 use crate::graph::Graph;
 
-use super::build::diagram;
+use super::build::open_diagram;
 use super::diagram::Diagram;
 use super::error::{MAX_BOXES, ShowError};
 use super::escape::xml;
+use super::expressions::close;
 use super::layout::{Layout, layout};
 use super::legend;
+use super::opened::{self, Panel, STYLE, panels};
 use super::pen::{Pen, short, tip};
 use super::theme::{FAMILY, HEADING, INK, MUTED, PAGE, SMALL};
 use super::wires::wires;
@@ -27,17 +29,23 @@ const NARROWEST_PAGE: f64 = 480.0;
 /// # Errors
 /// More than [`MAX_BOXES`] boxes, or a graph that was not checked.
 pub fn draw_svg(graph: &Graph) -> Result<String, ShowError> {
-    let diagram = diagram(graph, MAX_BOXES)?;
-    Ok(write(&diagram, &layout(&diagram)?))
+    let open = open_diagram(graph, MAX_BOXES)?;
+    let diagram = close(&open, graph);
+    Ok(write(&diagram, &layout(&diagram)?, &panels(&open, graph)?))
 }
 
-/// The document of a laid out diagram.
-pub(super) fn write(diagram: &Diagram<'_>, layout: &Layout) -> String {
-    let inner = layout.width.max(NARROWEST_PAGE);
+/// The document of a laid out diagram, with a panel for each box that opens.
+pub(super) fn write(diagram: &Diagram<'_>, layout: &Layout, panels: &[Panel<'_>]) -> String {
+    let sizes = || panels.iter().map(Panel::size);
+    let widest = sizes().map(|(width, _)| width).fold(NARROWEST_PAGE, f64::max);
+    let inner = layout.width.max(widest);
     let legend = legend::legend(diagram, inner);
     let width = (inner + 2.0 * MARGIN).ceil();
     let legend_top = MARGIN + HEADING_HEIGHT + layout.height + 28.0;
-    let height = (legend_top + legend.height + MARGIN).ceil();
+    // Panels may cover the legend.
+    let room =
+        sizes().map(|(_, height)| height).fold(layout.height + 28.0 + legend.height, f64::max);
+    let height = (MARGIN + HEADING_HEIGHT + room + MARGIN).ceil();
     let mut pen = Pen { svg: String::new() };
     let _ = write!(
         pen.svg,
@@ -46,6 +54,9 @@ pub(super) fn write(diagram: &Diagram<'_>, layout: &Layout) -> String {
          <title>{}</title>\n<rect width=\"{width}\" height=\"{height}\" fill=\"{PAGE}\"/>\n",
         xml(&tip(diagram.name)),
     );
+    if !panels.is_empty() {
+        pen.svg.push_str(STYLE);
+    }
     heading(&mut pen, diagram, inner);
     let _ = writeln!(
         pen.svg,
@@ -61,7 +72,14 @@ pub(super) fn write(diagram: &Diagram<'_>, layout: &Layout) -> String {
     let _ =
         writeln!(pen.svg, "<g transform=\"translate({} {})\">", short(MARGIN), short(legend_top));
     legend::write(&mut pen, &legend);
-    pen.svg.push_str("</g>\n</svg>\n");
+    pen.svg.push_str("</g>\n");
+    if !panels.is_empty() {
+        let (x, y) = (short(MARGIN), short(MARGIN + HEADING_HEIGHT));
+        let _ = writeln!(pen.svg, "<g transform=\"translate({x} {y})\">");
+        opened::write(&mut pen, panels, (diagram, layout), (inner, room));
+        pen.svg.push_str("</g>\n");
+    }
+    pen.svg.push_str("</svg>\n");
     pen.svg
 }
 

@@ -25,7 +25,7 @@ fn a_small_graph_shows_all_its_marks() {
     let graph = small();
     let (diagram, layout) = laid_out(&graph);
     assert_eq!(faults(&diagram, &layout), Vec::<String>::new());
-    let svg = svg::write(&diagram, &layout);
+    let svg = svg::write(&diagram, &layout, &[]);
     parse(&svg).expect("well formed");
     for text in [
         ">tint</text>",
@@ -90,7 +90,7 @@ fn what_constants_rule_out_is_marked_as_the_checker_says() {
         .filter_map(|card| card.badge.as_ref().map(|it| (card.title, it.text, it.by_default)))
         .collect();
     assert_eq!(badges, [("mirror", "ray", false), ("facing", "light", true)]);
-    let svg = svg::write(&diagram, &layout);
+    let svg = svg::write(&diagram, &layout, &[]);
     parse(&svg).expect("well formed");
     for text in [
         "mirror.color → constant.b: never evaluated, a constant rules it out",
@@ -147,7 +147,7 @@ fn text_ends_before_the_side_of_its_box() {
     graph.nodes.push(node(&NodeLibrary::standard(), "trace_reflection", &"W".repeat(80), &[]));
     graph.roots = vec![root(RootKind::Material, from(0, 0))];
     let (diagram, layout) = laid_out(&graph);
-    let svg = svg::write(&diagram, &layout);
+    let svg = svg::write(&diagram, &layout, &[]);
     let title = theme::TITLE;
     let shown = svg.split("font-weight=\"700\"").filter_map(|text| {
         text.split_once("preserve\">").and_then(|(_, text)| text.split_once("</text>"))
@@ -170,7 +170,7 @@ fn long_chains_are_drawn_quickly_and_without_recursion() {
     let graph = chain(3_000);
     let start = Instant::now();
     let (diagram, layout) = laid_out(&graph);
-    parse(&svg::write(&diagram, &layout)).expect("well formed");
+    parse(&svg::write(&diagram, &layout, &[])).expect("well formed");
     assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
     let level = |track: &[Place]| track.iter().all(|at| (at.y - track[0].y).abs() < 0.05);
     let of_nodes = diagram.wires.iter().zip(&layout.tracks).filter(|(wire, _)| wire.from.0 > 0);
@@ -221,7 +221,7 @@ proptest! {
     fn nothing_overlaps_and_every_wire_ends_at_its_sockets(graph in random_graph()) {
         let (diagram, layout) = laid_out(&graph);
         prop_assert_eq!(faults(&diagram, &layout), Vec::<String>::new());
-        let svg = svg::write(&diagram, &layout);
+        let svg = svg::write(&diagram, &layout, &[]);
         prop_assert!(parse(&svg).is_ok());
         prop_assert_eq!(svg, draw_svg(&graph).unwrap(), "the same bytes each time");
     }
