@@ -44,7 +44,7 @@ fn list() -> String {
 }
 
 fn story(explanation: &Explanation) -> String {
-    let Explanation { code, severity, title, story, wrong, right } = explanation;
+    let Explanation { code, severity, title, story, wrong, right, .. } = explanation;
     let mut text = format!("{code} ({severity}): {title}\n\n{story}\n");
     if !wrong.is_empty() {
         let _ = write!(text, "\nWrong:\n  {wrong}\n\nRight:\n  {right}\n");

@@ -1,7 +1,7 @@
 //! Binding every input and root to its source, with the types checked.
 
 use crate::diagnostics::synonyms;
-use crate::diagnostics::{Code, Finding, is_near, shortened};
+use crate::diagnostics::{Code, Finding, is_near};
 use crate::document::{Member, Reader, Value, ValueKind};
 use crate::graph::{Binding, Node, Root};
 use crate::nodes::{DefaultValue, Input, Kind, ListForm, NodeType, Signature};
@@ -318,9 +318,7 @@ fn missing_inputs(
         if !required || misplaced || drafted.inputs.iter().any(meant) {
             continue;
         }
-        let name = shortened(draft.name(node));
-        let message =
-            format!("node `{name}` ({}) needs its input `{}`", signature.name, input.name);
+        let message = format!("{} needs its input `{}`", draft.described(node), input.name);
         let help =
             format!("add `\"{}\"` to its `inputs`: {}", input.name, with_article(input.value_type));
         let place = reader.document.place_of_key(drafted.member);

@@ -8,7 +8,7 @@ use petgraph::graph::{DiGraph, NodeIndex};
 use crate::diagnostics::{Code, Finding, shortened};
 use crate::document::Reader;
 
-use super::draft::Draft;
+use super::draft::{Draft, DraftInput};
 use super::limits::MAX_CYCLE_SHOWN;
 
 /// Every node, sources before what reads them. Nodes on a cycle, and what reads them, come last.
@@ -101,41 +101,64 @@ fn shortest_cycle(draft: &Draft<'_>, knot_of: &[usize], start: usize) -> Vec<usi
     path
 }
 
+/// A node of a cycle as the file has it: what it is called there, and which of its inputs reads the next.
+struct Step<'r, 'd> {
+    name: String,
+    input: &'r DraftInput<'d>,
+}
+
+/// The steps of a cycle, none of them a node that the file does not have: an expression is where an input reads what the
+/// expression names, and the turns of a map or a fold are it.
+fn steps<'r, 'd>(draft: &'r Draft<'d>, path: &[usize]) -> Vec<Step<'r, 'd>> {
+    let next = |at: usize| path[(at + 1) % path.len()];
+    let of_file = (0..path.len()).filter(|&at| !draft.is_written(draft.name(path[at])));
+    let steps = of_file.filter_map(|at| {
+        let (_, input) = draft.reads(path[at]).find(|(source, _)| *source == next(at))?;
+        Some(Step { name: draft.told_name(path[at]), input })
+    });
+    let mut steps: Vec<Step<'_, '_>> = steps.collect();
+    // From turn to turn of one fold is no step.
+    steps.dedup_by(|later, earlier| {
+        let same = later.name == earlier.name;
+        if same {
+            earlier.input = later.input;
+        }
+        same
+    });
+    if steps.len() > 1 && steps.first().map(|it| &it.name) == steps.last().map(|it| &it.name) {
+        steps.pop();
+    }
+    steps
+}
+
 fn report(reader: &mut Reader<'_>, draft: &Draft<'_>, path: &[usize]) {
-    let Some(&start) = path.first() else { return };
-    let arrow = |nodes: &[usize]| {
-        let names: Vec<String> =
-            nodes.iter().map(|&node| format!("`{}`", shortened(draft.name(node)))).collect();
+    let steps = steps(draft, path);
+    let Some(first) = steps.first() else { return };
+    let arrow = |steps: &[Step<'_, '_>]| {
+        let names: Vec<String> = steps.iter().map(|step| format!("`{}`", step.name)).collect();
         names.join(" → ")
     };
-    let back = format!("`{}`", shortened(draft.name(start)));
-    let shown = if path.len() <= MAX_CYCLE_SHOWN {
-        format!("{} → {back}", arrow(path))
+    let back = format!("`{}`", first.name);
+    let shown = if steps.len() <= MAX_CYCLE_SHOWN {
+        format!("{} → {back}", arrow(&steps))
     } else {
         let (head, tail) = (MAX_CYCLE_SHOWN / 2, MAX_CYCLE_SHOWN / 2);
-        let hidden = path.len() - head - tail;
-        let last = &path[path.len() - tail..];
-        format!("{} → ({hidden} more) → {} → {back}", arrow(&path[..head]), arrow(last))
+        let hidden = steps.len() - head - tail;
+        let last = &steps[steps.len() - tail..];
+        format!("{} → ({hidden} more) → {} → {back}", arrow(&steps[..head]), arrow(last))
     };
-    let message = match path.len() {
+    let message = match steps.len() {
         1 => format!("node {back} reads itself"),
         many => format!("{many} nodes read one another in a cycle: {shown}"),
     };
-    let edge = |at: usize| {
-        let (node, next) = (path[at], path[(at + 1) % path.len()]);
-        draft.reads(node).find(|(source, _)| *source == next).map(|(_, input)| (node, next, input))
-    };
-    let Some((_, _, first)) = edge(0) else { return };
-    let place = reader.document.place(first.source.value);
+    let place = reader.document.place(first.input.source.value);
     let help = "break the cycle at one of its connections";
     let mut finding = Finding::new(Code::CYCLE, place, message, help);
-    for at in 1..path.len().min(MAX_CYCLE_SHOWN) {
-        if let Some((node, next, input)) = edge(at) {
-            let (node, next) = (shortened(draft.name(node)), shortened(draft.name(next)));
-            let message =
-                format!("`{node}` reads `{next}` in its input `{}`", shortened(&input.member.key));
-            finding = finding.with_related(reader.document.place(input.source.value), message);
-        }
+    for at in 1..steps.len().min(MAX_CYCLE_SHOWN) {
+        let (step, next) = (&steps[at], &steps[(at + 1) % steps.len()]);
+        let key = shortened(&step.input.member.key);
+        let message = format!("`{}` reads `{}` in its input `{key}`", step.name, next.name);
+        finding = finding.with_related(reader.document.place(step.input.source.value), message);
     }
     reader.findings.push(finding);
 }

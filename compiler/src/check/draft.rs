@@ -14,8 +14,9 @@ use super::expressions::Rewritten;
 use super::limits::MAX_NODES;
 use super::nested::Nested;
 use super::node_types::NodeTypes;
-use super::shape::Shape;
+use super::shape::{Shape, element_name};
 use super::splits::Splits;
+use super::turns::written_name;
 
 /// The names of a graph, and their types as far as they are known.
 pub(super) struct Draft<'d> {
@@ -232,7 +233,7 @@ impl<'d> Draft<'d> {
         match self.written.and_then(|written| written.texts.get(name)) {
             Some(text) if text.mark == kind => format!("`{kind}`"),
             Some(text) => format!("`{}` ({kind})", shortened(&text.mark)),
-            None => format!("node `{}` ({kind})", shortened(name)),
+            None => format!("node `{}` ({kind})", self.told_name(node)),
         }
     }
 
@@ -245,7 +246,20 @@ impl<'d> Draft<'d> {
         let node_type = self.nodes[node].node_type;
         let output =
             node_type.map_or("", |it| &*self.node_types.signature(it).outputs[output].name);
-        format!("output `{output}` of node `{}`", shortened(name))
+        format!("output `{output}` of node `{}`", self.told_name(node))
+    }
+
+    /// What a node is called in the file, for messages: a turn as its map or fold is.
+    pub fn told_name(&self, node: usize) -> String {
+        shortened(written_name(self.name(node)))
+    }
+
+    /// The nodes a name stands for: one, or the turns of a map.
+    pub fn nodes_named(&self, name: &str) -> impl Iterator<Item = usize> {
+        let one = self.node_names.get(name).copied();
+        let turn = move |at| self.node_names.get(element_name(name, at).as_str()).copied();
+        let first = if one.is_some() { one } else { turn(0) };
+        first.into_iter().chain((1..).map_while(move |at| turn(at).filter(|_| one.is_none())))
     }
 
     /// Whether a node was written out of an expression.

@@ -1,7 +1,7 @@
 //! The keys of the objects a phenomenon is written with: from them come the lists of keys the reader knows, the schema,
 //! the reference page and completion.
 
-use crate::document::{FORMAT, Given, Key, Kind, Section, names_of};
+use crate::document::{FORMAT, Given, Key, Kind, PICTURE_FILES, Section, names_of};
 use crate::values::Type;
 
 pub use super::value_keys::{COLOR, OUTPUT};
@@ -405,7 +405,7 @@ pub static TEXTURE: Section = Section {
     name: "texture",
     what: "a texture",
     keys: &[
-        key("texture", Kind::File, Given::Required, "The picture"),
+        key("texture", Kind::File(PICTURE_FILES), Given::Required, "The picture"),
         key(
             "space",
             Kind::Word(&["srgb", "linear"]),

@@ -157,7 +157,7 @@ fn describe_whole(draft: &Draft<'_>, source: &Source<'_>) -> (String, String) {
                 let text = draft.described_output(node, output);
                 return (text.clone(), text.trim_matches('`').to_owned());
             }
-            let name = shortened(draft.name(node));
+            let name = draft.told_name(node);
             let output = draft.nodes[node].node_type.map_or("", |node_type| {
                 &*draft.node_types.signature(node_type).outputs[output].name
             });

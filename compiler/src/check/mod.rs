@@ -64,7 +64,7 @@ mod used_phenomena;
 mod value_keys;
 
 pub use color_literals::{read_color, space_of};
-pub use expressions::{FUNCTIONS, Function};
+pub use expressions::{CONSTANTS, FUNCTIONS, Function, is_function};
 pub use files::{Files, OnDisk};
 pub use graph::{Checked, as_node, check_graph, check_graph_with, read_graph_file};
 pub use limits::{

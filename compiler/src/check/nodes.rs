@@ -58,7 +58,7 @@ fn read_header<'d>(
     member: &'d Member,
     draft: &Draft<'d>,
 ) -> Option<NodeType> {
-    let what = || format!("node `{}`", shortened(&member.key));
+    let what = || format!("node `{}`", shortened(written_name(&member.key)));
     let mut node_type = None;
     let mut has_type = false;
     let mut version = None;
@@ -314,8 +314,7 @@ fn unknown_input(
         advice.fix = None;
     }
     let place = reader.document.place_of_key(member);
-    let (name, kind) = (shortened(draft.name(node)), &signature.name);
-    let message = format!("node `{name}` ({kind}) has no input `{}`", shortened(&member.key));
+    let message = format!("{} has no input `{}`", draft.described(node), shortened(&member.key));
     reader.findings.push(Finding::misspelt(Code::UNKNOWN_INPUT, place, message, advice));
 }
 
@@ -330,7 +329,7 @@ fn lacks_own(
     let (key, body) = (&member.key, shortened(&signature.name));
     let message = format!(
         "node `{}` gives its body `{body}` the parameter `{key}`, which that does not have",
-        shortened(draft.name(node))
+        draft.told_name(node)
     );
     let help = format!(
         "declare it there: `\"interface\": {{ \"{key}\": {{ \"type\": …, \"default\": … }} }}`"
@@ -366,11 +365,7 @@ fn read_inputs<'d>(
     let mut given: Option<Vec<bool>> = None;
     for member in members {
         let input = signature.and_then(|signature| signature.input(&member.key));
-        let what = || {
-            let kind = signature.map_or("", |signature| &*signature.name);
-            let of = shortened(draft.name(node));
-            format!("input `{}` of node `{of}` ({kind})", shortened(&member.key))
-        };
+        let what = || format!("input `{}` of {}", shortened(&member.key), draft.described(node));
         if let (Some(at), Some(signature)) = (input, signature)
             && signature.inputs[at].list
         {

@@ -4,7 +4,7 @@
 //! `ramp_segment` between each two. So a point evaluates one passage and the values of its ends, positions and
 //! values may be parameters or be computed, and an edit of one is no new code.
 
-use crate::diagnostics::{Code, shortened};
+use crate::diagnostics::Code;
 use crate::document::Reader;
 use crate::graph::{Binding, Node};
 use crate::values::{Literal, Type};
@@ -29,7 +29,7 @@ pub(super) fn are_paired(
     let Some(place) = of_positions.map(|input| &input.member.value) else { return true };
     let message = format!(
         "node `{}` has {} positions and {} values",
-        shortened(draft.name(node)),
+        draft.told_name(node),
         positions.len(),
         values.len()
     );

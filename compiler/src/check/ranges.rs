@@ -196,7 +196,7 @@ fn computed(
         reader.findings.push(Finding::new(Code::RANGE_PAST_INPUT, place, message, help));
         return;
     }
-    let name = shortened(draft.name(node));
+    let name = draft.told_name(node);
     let help = format!("clamp it, or change what `{name}` makes it of");
     let declared = reader.document.place_of_key(draft.nodes[node].member);
     let finding = Finding::new(Code::RANGE_PAST_INPUT, place, message, help);

@@ -7,6 +7,7 @@ use crate::document::{Reader, ValueKind};
 use crate::values::Type;
 
 use super::draft::{Draft, DraftInput, DraftNode, Source, SourceKind};
+use super::turns::written_name;
 
 /// Reports the nodes at the top of what no root reaches, and the unused parameters. Says nothing
 /// where a connection could not be resolved: it may be the one that is missing.
@@ -84,13 +85,22 @@ fn unreachable_nodes(reader: &mut Reader<'_>, draft: &Draft<'_>) {
             read[source] = true;
         }
     }
+    // Of a map whose turns are reached in part, what is not asked for is no mistake.
+    let called = |node: usize| written_name(draft.name(node));
+    let known: HashSet<&str> =
+        (0..draft.nodes.len()).filter(|&node| reached[node]).map(called).collect();
     for node in 0..draft.nodes.len() {
-        if !reached[node] && !read[node] {
-            let name = shortened(draft.name(node));
+        if !reached[node] && !read[node] && !known.contains(called(node)) {
+            let (what, help) = match draft.is_written(draft.name(node)) {
+                true => (draft.described_output(node, 0), "nothing rests on it: remove it"),
+                false => (
+                    format!("node `{}`", draft.told_name(node)),
+                    "connect one of its outputs, or remove it",
+                ),
+            };
             let place = reader.document.place_of_key(draft.nodes[node].member);
             let nothing = if draft.outputs.is_empty() { "no root" } else { "no root or output" };
-            let message = format!("{nothing} reaches node `{name}`, so it is never evaluated");
-            let help = "connect one of its outputs, or remove it";
+            let message = format!("{nothing} reaches {what}, so it is never evaluated");
             reader.findings.push(Finding::new(Code::UNREACHABLE_NODE, place, message, help));
         }
     }

@@ -7,6 +7,7 @@ use crate::document::{Reader, Value, ValueKind};
 use crate::values::Type;
 
 use super::draft::Draft;
+use super::turns::written_name;
 use super::type_names::with_article;
 use super::{components, mismatch};
 
@@ -155,7 +156,7 @@ pub(super) enum Part {
 /// How to take a part of an output of a node: of `point.y`, or of `y` where a vector is the only output.
 pub(super) fn part_of_output(draft: &Draft<'_>, node: usize, text: &str) -> Option<(usize, Part)> {
     let signature = draft.node_types.signature(draft.nodes[node].node_type?);
-    let name = shortened(draft.name(node));
+    let name = draft.told_name(node);
     let split = text.split_once(['.', '/', ':', '[']);
     let (at, part) = match split {
         Some((output, part)) => (signature.output(output)?, part.trim_end_matches(']')),
@@ -268,7 +269,7 @@ fn remedy(
         return Some((format!("write it without quotes: `{bare}`"), Some(bare.to_owned()), None));
     }
     // The name of a node or a parameter, misspelt.
-    let names = draft.nodes.iter().map(|node| node.member.key.as_str());
+    let names = draft.nodes.iter().map(|node| written_name(&node.member.key));
     let node = reader.suggestions.nearest(bare, names);
     let names = draft.parameters.iter().map(|parameter| parameter.name.as_str());
     let parameter = reader.suggestions.nearest(bare, names);

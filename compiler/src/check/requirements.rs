@@ -95,13 +95,11 @@ pub(super) fn check<'d>(
             read(reader, member, &mut requirements);
         }
     }
-    for node in &draft.nodes {
+    for (at, node) in draft.nodes.iter().enumerate() {
         let Some(node_type) = node.node_type else { continue };
-        let name = shortened(&node.member.key);
         if let Some(nested) = draft.nested.get(&node_type) {
-            let type_name = &draft.node_types.signature(node_type).name;
             for (key, value) in &nested.graph.requirements.choices {
-                let by = format!("node `{name}` ({type_name})");
+                let by = draft.described(at);
                 let place = reader.document.place_of_key(node.member);
                 requirements.join(reader, key, Required { value, by, place });
             }
@@ -110,8 +108,7 @@ pub(super) fn check<'d>(
             && casts_rays(effect)
             && requirements.exclusive.get("trace").is_none_or(|it| it.value != "on")
         {
-            let type_name = &draft.node_types.signature(node_type).name;
-            let by = format!("node `{name}` ({type_name})");
+            let by = draft.described(at);
             let place = reader.document.place_of_key(node.member);
             requirements.join(reader, "trace", Required { value: "on", by, place });
         }

@@ -138,12 +138,7 @@ fn unknown_output(
             }
         }
     };
-    let message = format!(
-        "node `{}` ({}) has no output `{}`",
-        shortened(draft.name(node)),
-        signature.name,
-        shortened(output)
-    );
+    let message = format!("{} has no output `{}`", draft.described(node), shortened(output));
     let place = reader.document.place(given);
     reader.findings.push(Finding::misspelt(Code::UNKNOWN_OUTPUT, place, message, advice));
 }

@@ -1,7 +1,7 @@
 //! Effects at stations that do not allow them: each shader type is called at a moment of its own,
 //! and not everything can be asked of the renderer then.
 
-use crate::diagnostics::{Code, Finding, shortened};
+use crate::diagnostics::{Code, Finding};
 use crate::document::Reader;
 use crate::effects::{Asked, Trace};
 use crate::graph::RootKind;
@@ -73,11 +73,9 @@ fn report(
     if let Some(inner) = inner
         && !inner.graph.requirements.applies_to(station)
     {
-        let (name, of) = (shortened(draft.name(node)), &signature.name);
-        let station = station.name();
-        let message = format!(
-            "node `{name}` ({of}) stands below the root `{station}`, which its `apply` excludes"
-        );
+        let (described, station) = (draft.described(node), station.name());
+        let message =
+            format!("{described} stands below the root `{station}`, which its `apply` excludes");
         let place = reader.document.place_of_key(draft.nodes[node].member);
         let help =
             format!("use another phenomenon there, or add `{station}` to the `apply` of this one");
@@ -85,12 +83,8 @@ fn report(
         return true;
     }
     let Some(why) = why else { return false };
-    let name = shortened(draft.name(node));
-    let station = station.name();
-    let message = format!(
-        "node `{name}` ({}) cannot stand below the root `{station}`: {why}",
-        signature.name
-    );
+    let (described, station) = (draft.described(node), station.name());
+    let message = format!("{described} cannot stand below the root `{station}`: {why}");
     let place = reader.document.place_of_key(draft.nodes[node].member);
     let help = format!("use it below another root, or give `{station}` what needs no rays");
     reader.findings.push(Finding::new(Code::MISPLACED_EFFECT, place, message, help));

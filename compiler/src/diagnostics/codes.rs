@@ -16,6 +16,8 @@ pub struct Explanation {
     pub code: Code,
     /// Severity of its findings.
     pub severity: Severity,
+    /// Whether it tells of what could be left out, which editors grey.
+    pub idle: bool,
     /// What it is, in a few words.
     pub title: &'static str,
     /// Why it is reported and what to do, in a paragraph.
@@ -27,7 +29,9 @@ pub struct Explanation {
 }
 
 macro_rules! codes {
-    ($($constant:ident $code:literal $severity:ident $title:literal,
+    (@idle idle) => { true };
+    (@idle) => { false };
+    ($($constant:ident $code:literal $severity:ident $($idle:ident)? $title:literal,
         $story:literal, wrong $wrong:literal, right $right:literal;)+) => {
         impl Code {
             $(#[doc = $title] pub const $constant: Code = Code($code);)+
@@ -38,6 +42,7 @@ macro_rules! codes {
             pub const ALL: &'static [Explanation] = &[$(Explanation {
                 code: Code::$constant,
                 severity: Severity::$severity,
+                idle: codes!(@idle $($idle)?),
                 title: $title,
                 story: $story,
                 wrong: $wrong,
@@ -56,6 +61,11 @@ impl Code {
     /// The severity of its findings.
     pub fn severity(self) -> Severity {
         self.explanation().map_or(Severity::Error, |explanation| explanation.severity)
+    }
+
+    /// Whether its findings are of what could be left out.
+    pub fn is_idle(self) -> bool {
+        self.explanation().is_some_and(|explanation| explanation.idle)
     }
 
     /// The code of that name.
@@ -202,7 +212,7 @@ codes! {
         "Arguments with a name, `low: 0`, are given to the input of that name. Those without have an order, which functions of docs/expressions.md declare and nodes of one or two inputs have by themselves; other nodes have their inputs in the order of demand, so that names are needed.",
         wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "clamp(p)" } } }"#,
         right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "clamp(p, 0, 0.5)" } } }"#;
-    UNUSED_NAME "unused-name" Warning "A name under where that nothing uses",
+    UNUSED_NAME "unused-name" Warning idle "A name under where that nothing uses",
         "The expression does not use what is bound there, so it computes nothing.",
         wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "2 * p", "where": { "q": 3 } } } }"#,
         right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "expression": "q * p", "where": { "q": 3 } } } }"#;
@@ -253,15 +263,15 @@ codes! {
         "An array has the length its default has, so that every part of it is known before anything is evaluated. Where it is given, there must be as many values. A list with nothing in it has no value at all, and each value of a ramp has a position.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "sum", "inputs": { "values": [] } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "sum", "inputs": { "values": [0.25, 0.5] } } }, "roots": { "material": { "node": "n" } } }"#;
-    UNREACHABLE_NODE "unreachable-node" Warning "A node no root reaches",
+    UNREACHABLE_NODE "unreachable-node" Warning idle "A node no root reaches",
         "No root reads the node, directly or through others, so it is never evaluated. Only the last node of an unused part is reported.",
         wrong r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": 1 } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "n": { "type": "mix" } }, "roots": { "material": { "node": "n" } } }"#;
-    UNUSED_PHENOMENON "unused-phenomenon" Warning "A phenomenon no node is",
+    UNUSED_PHENOMENON "unused-phenomenon" Warning idle "A phenomenon no node is",
         "The phenomenon stands in the file, and nothing there uses it. Only the outermost of what is unused is reported.",
         wrong r#"{ "phenomenon": "a", "phenomena": { "grey": { "outputs": { "value": { "type": "scalar", "from": 0.5 } } } }, "roots": { "material": 1 } }"#,
         right r#"{ "phenomenon": "a", "phenomena": { "grey": { "outputs": { "value": { "type": "scalar", "from": 0.5 } } } }, "nodes": { "n": { "type": { "phenomenon": "grey" } } }, "roots": { "material": { "node": "n" } } }"#;
-    UNUSED_PARAMETER "unused-parameter" Warning "A parameter nothing reads",
+    UNUSED_PARAMETER "unused-parameter" Warning idle "A parameter nothing reads",
         "Setting the parameter changes nothing, because no node and no root reads it.",
         wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": 1 } }"#,
         right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 1 } }, "roots": { "material": { "interface": "p" } } }"#;
@@ -273,7 +283,7 @@ codes! {
         "The range of a parameter is enforced where it is bound, but it is wider than what the node is made for; or what other nodes make of constants, parameters with ranges and the state surely comes to lie outside. It is reported only where a value outside is known to arrive: nothing is said of what is made from parameters without `min` and `max`, of values whose parts depend on one another, or of what is evaluated under a condition on the same values.",
         wrong r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 0.5, "min": 0, "max": 2 } }, "nodes": { "n": { "type": "mix", "inputs": { "weight": { "interface": "p" } } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "interface": { "p": { "type": "scalar", "default": 0.5, "min": 0, "max": 1 } }, "nodes": { "n": { "type": "mix", "inputs": { "weight": { "interface": "p" } } } }, "roots": { "material": { "node": "n" } } }"#;
-    DEAD_INPUT "dead-input" Note "A connection that is never evaluated",
+    DEAD_INPUT "dead-input" Note idle "A connection that is never evaluated",
         "The inputs that decide whether this one is needed rule it out: the mix has weight 0, the condition is always true. They are constants, or computed from constants, from parameters whose range leaves no choice (ranges are enforced where parameters are bound) and from what the state can be. What is connected here costs nothing and shows nowhere.",
         wrong r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#,
         right r#"{ "phenomenon": "a", "nodes": { "t": { "type": "trace_reflection" }, "n": { "type": "mix", "inputs": { "weight": 0.5, "b": { "node": "t" } } } }, "roots": { "material": { "node": "n" } } }"#;

@@ -19,7 +19,7 @@ pub fn documentation() -> String {
     for Explanation { code, severity, title, .. } in Explanation::ALL {
         let _ = writeln!(text, "| [{code}](#{code}) | {severity} | {title} |");
     }
-    for Explanation { code, severity, title, story, wrong, right } in Explanation::ALL {
+    for Explanation { code, severity, title, story, wrong, right, .. } in Explanation::ALL {
         let _ = write!(text, "\n## {code}\n\n{title} ({severity}).\n\n{story}\n");
         if !wrong.is_empty() {
             let _ = write!(

@@ -18,7 +18,7 @@ mod syntax;
 mod value;
 
 pub use canonical::canonical;
-pub use expression::{MAX_EXPRESSION, MAX_EXPRESSION_DEPTH};
+pub use expression::{MAX_EXPRESSION, MAX_EXPRESSION_DEPTH, Role, Word, words, words_in};
 pub use format::FORMAT;
 pub(crate) use format::is_newer_format;
 pub use mistakes::{MAX_BRACKETS, MAX_MISTAKES};
@@ -27,5 +27,5 @@ pub use open::{open_file, opened_files};
 pub use prescan::{MAX_DEPTH, MAX_FILE_BYTES, MAX_VALUES};
 pub use read::{all_mistakes, read, read_file, read_from};
 pub use reader::{Object, Reader};
-pub use section::{Given, Key, Kind, Section, names_of};
+pub use section::{GRAPH_FILES, Given, Key, Kind, MESH_FILES, PICTURE_FILES, Section, names_of};
 pub use value::{Document, Member, Value, ValueKind};

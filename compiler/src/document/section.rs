@@ -35,6 +35,13 @@ pub struct Key {
     pub doc: &'static str,
 }
 
+/// Endings of graphs.
+pub const GRAPH_FILES: &[&str] = &["json"];
+/// Endings of pictures.
+pub const PICTURE_FILES: &[&str] = &["png", "jpg", "jpeg", "exr", "hdr"];
+/// Endings of meshes.
+pub const MESH_FILES: &[&str] = &["obj"];
+
 /// Whether a key must be given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Given {
@@ -55,8 +62,8 @@ pub enum Given {
 pub enum Kind {
     /// Any string.
     Text,
-    /// The path of a file, from the folder of the file that names it.
-    File,
+    /// The path of a file with one of these endings, from the folder of the file that names it.
+    File(&'static [&'static str]),
     /// One of a few words.
     Word(&'static [&'static str]),
     /// A name: letters, digits, `_` and `-`.
@@ -156,7 +163,7 @@ impl Kind {
     pub fn described(&self) -> String {
         match self {
             Kind::Text => "string".into(),
-            Kind::File => "path of a file".into(),
+            Kind::File(_) => "path of a file".into(),
             Kind::Name => "name".into(),
             Kind::Word(words) => words_or(words),
             Kind::Set(Kind::Word(words), _) => format!("list of {}, each once", words_or(words)),

@@ -53,7 +53,7 @@ impl Sections {
         let section = |section: &Section| reference(&(self.definition)(section));
         match kind {
             Kind::Text => json!({ "type": "string" }),
-            Kind::File => json!({ "type": "string", "minLength": 1 }),
+            Kind::File(_) => json!({ "type": "string", "minLength": 1 }),
             Kind::Name => reference("name"),
             Kind::Word(words) => json!({ "enum": words }),
             Kind::True => json!({ "const": true }),

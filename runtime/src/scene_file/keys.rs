@@ -1,7 +1,9 @@
 //! The keys of scene files: from them come the lists of keys the reader knows, the schema, the reference page and
 //! completion. A test holds the defaults and ranges given here against what the reader does.
 
-use phenomenon_compiler::document::{FORMAT, Given, Kind, Section};
+use phenomenon_compiler::document::{
+    FORMAT, GRAPH_FILES, Given, Kind, MESH_FILES, PICTURE_FILES, Section,
+};
 
 use super::key_kinds::{
     COLOR, COORDINATES, DEGREES, LENGTH, LIGHT, LINEAR, SCENE_UNITS, VECTOR, key, measured,
@@ -112,11 +114,11 @@ pub static OBJECT: Section = Section {
         ),
         key("doc", Kind::Text, Given::Optional, "What it is"),
         key("sphere", Kind::Object(&SPHERE), Given::Choice, "The object is a sphere"),
-        key("mesh", Kind::File, Given::Choice, "The object is this OBJ file"),
+        key("mesh", Kind::File(MESH_FILES), Given::Choice, "The object is this OBJ file"),
         key("rectangle", Kind::Object(&RECTANGLE), Given::Choice, "The object is a rectangle"),
         key(
             "second_uv",
-            Kind::File,
+            Kind::File(MESH_FILES),
             Given::Optional,
             "An OBJ file of the same mesh, whose surface coordinates are its second set. Without it the second set is the first",
         ),
@@ -211,7 +213,7 @@ pub static MATERIAL: Section = Section {
             Given::Choice,
             "The graph that is looked at, in a scene that serves as a stage",
         ),
-        key("file", Kind::File, Given::Choice, "A graph with the root `material`"),
+        key("file", Kind::File(GRAPH_FILES), Given::Choice, "A graph with the root `material`"),
         key(
             "preset",
             Kind::Text,
@@ -237,11 +239,11 @@ pub static ENVIRONMENT: Section = Section {
         key("gradient", Kind::Object(&GRADIENT), Given::Choice, "Colours by height"),
         key(
             "image",
-            Kind::File,
+            Kind::File(PICTURE_FILES),
             Given::Choice,
             "A picture of all directions: HDR, EXR, PNG or JPEG",
         ),
-        key("file", Kind::File, Given::Choice, "A graph with the root `environment`"),
+        key("file", Kind::File(GRAPH_FILES), Given::Choice, "A graph with the root `environment`"),
         key(
             "intensity",
             Kind::Number(LIGHT),

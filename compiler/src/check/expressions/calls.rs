@@ -6,7 +6,7 @@ use crate::diagnostics::synonyms::{self, Synonym};
 use crate::diagnostics::{Advice, Code, listed, shortened};
 use crate::document::Value;
 use crate::document::expression::Argument;
-use crate::nodes::{DefaultValue, Input, Kind, NodeType};
+use crate::nodes::{DefaultValue, Input, NodeType};
 use crate::values::Type;
 
 use super::convert::remedy;
@@ -54,11 +54,7 @@ impl Writer<'_, '_> {
     /// Whether a node can be called: what it is given is evaluated once, where it stands.
     fn is_callable(&mut self, call: &Call<'_>) -> bool {
         let signature = self.draft.node_types.signature(call.node_type);
-        let is_value = |input: &Input| {
-            !input.scoped && !input.list && !matches!(input.value_type, Type::Shader | Type::Lights)
-        };
-        let plain = matches!(signature.kind, Kind::Plain | Kind::Fields(_) | Kind::Request(_));
-        if plain && signature.inputs.iter().all(is_value) {
+        if functions::is_function(signature) {
             return true;
         }
         let message =

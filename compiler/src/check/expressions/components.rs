@@ -139,9 +139,9 @@ impl Writer<'_, '_> {
                 }
             });
             let kind = &signature.name;
-            let what = match self.draft.node_names.contains_key(node.as_str()) {
-                true => format!("node `{}` ({kind})", shortened(node)),
-                false => format!("`{text}` ({kind})"),
+            let what = match self.draft.node_names.get(node.as_str()) {
+                Some(&node) => self.draft.described(node),
+                None => format!("`{text}` ({kind})"),
             };
             let message = format!("{what} has no output `{shown}`");
             return self.advise(Code::UNKNOWN_NAME, &mark, message, advice);

@@ -1,6 +1,9 @@
 //! The functions people know from GLSL, OSL and SeExpr, as data: which node each means, and in which order it takes its
 //! arguments. Nodes have their inputs in the order of demand, which is another.
 
+use crate::nodes::{Input, Kind, Signature};
+use crate::values::Type;
+
 /// A function.
 #[derive(Debug)]
 pub struct Function {
@@ -72,6 +75,15 @@ pub static FUNCTIONS: &[Function] = &[
     function("trunc", "truncate", ONE),
     function("vector", "combine_vector", &["x", "y", "z"]),
 ];
+
+/// Whether a node can be called in an expression: what it is given is evaluated once, where it stands.
+pub fn is_function(signature: &Signature) -> bool {
+    let is_value = |input: &Input| {
+        !input.scoped && !input.list && !matches!(input.value_type, Type::Shader | Type::Lights)
+    };
+    let plain = matches!(signature.kind, Kind::Plain | Kind::Fields(_) | Kind::Request(_));
+    plain && signature.inputs.iter().all(is_value)
+}
 
 /// The function of that name.
 pub(super) fn find(name: &str) -> Option<&'static Function> {

@@ -23,7 +23,8 @@ mod writer;
 mod written;
 
 pub(super) use convert::remedy;
-pub use functions::{FUNCTIONS, Function};
+pub use functions::{FUNCTIONS, Function, is_function};
+pub use names::CONSTANTS;
 pub(super) use written::Rewritten;
 
 use std::cell::OnceCell;

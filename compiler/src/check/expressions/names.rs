@@ -4,6 +4,7 @@ use crate::check::draft::SourceKind;
 use crate::check::literals::natural_type;
 use crate::check::shape::{element_name, member_name};
 use crate::check::sources;
+use crate::check::turns::written_name;
 use crate::diagnostics::{Advice, Code, Finding, listed, shortened};
 use crate::document::{Value, ValueKind};
 use crate::values::Type;
@@ -18,7 +19,10 @@ pub const CONSTANTS: [(&str, &str); 2] = [("pi", "3.1415927"), ("tau", "6.283185
 pub(super) fn bound<'d>(work: &mut Work<'_, 'd>, value: &'d Value) -> Operand {
     let json = value.kind.clone();
     match &value.kind {
-        ValueKind::Number(_) => Operand { json, is: Is::Number },
+        ValueKind::Number(_) => match work.reader.finite(value, "a name under `where`") {
+            Some(_) => Operand { json, is: Is::Number },
+            None => Operand::broken(),
+        },
         ValueKind::Boolean(_) => Operand::of(json, Type::Boolean),
         ValueKind::String(_) => Operand { json, is: Is::Text },
         ValueKind::Array(elements) => list(work, value, elements),
@@ -109,6 +113,9 @@ impl<'w> Writer<'w, '_> {
                 self.ambiguous(at, name);
                 Operand::broken()
             }
+            (None, None, None) if draft.nodes_named(name).next().is_some() => {
+                Operand { json: ValueKind::Null, is: Is::Turns(name.into()) }
+            }
             (None, None, None) => {
                 if let Some((_, number)) = CONSTANTS.iter().find(|(known, _)| *known == name) {
                     return Operand { json: ValueKind::Number((*number).into()), is: Is::Number };
@@ -153,7 +160,9 @@ impl<'w> Writer<'w, '_> {
     /// The names an expression may use here.
     fn in_reach(&self) -> Vec<&'w str> {
         let bound = self.scope.iter().map(|bound| bound.name);
-        let nodes = self.draft.nodes.iter().map(|node| node.member.key.as_str());
+        let mut nodes: Vec<&str> =
+            self.draft.nodes.iter().map(|node| written_name(&node.member.key)).collect();
+        nodes.dedup();
         let is_whole = |name: &&str| !name.contains(['.', '[']);
         let parameters = self.draft.parameters.iter().map(|it| it.name.as_str()).filter(is_whole);
         let compounds = self.draft.compounds.iter().map(|(name, _)| name.as_str()).filter(is_whole);
@@ -175,15 +184,19 @@ impl<'w> Writer<'w, '_> {
             Some(known) => {
                 self.told = span.start + known.len();
                 let word = known.replace('-', "_");
-                let key =
-                    if self.draft.node_names.contains_key(*known) { "node" } else { "interface" };
+                let is_node = self.draft.nodes_named(known).next().is_some();
+                let key = if is_node { "node" } else { "interface" };
                 Advice::from(format!(
                     "a `-` subtracts here, so bind `{known}` to another name: `\"where\": {{ \"{word}\": {{ \"{key}\": \"{known}\" }} }}`"
                 ))
             }
-            None => self.reader.advice(name, names.iter().copied(), None, || match names.len() {
-                0 => "declare a parameter or a node, or bind the name under `where`".into(),
-                _ => format!("names in reach are {}", listed(names.iter().copied())),
+            None => self.reader.advice(name, names.iter().copied(), None, || {
+                let mut usable =
+                    names.iter().copied().filter(|name| !name.contains('-')).peekable();
+                match usable.peek() {
+                    None => "declare a parameter or a node, or bind the name under `where`".into(),
+                    Some(_) => format!("names in reach are {}", listed(usable)),
+                }
             }),
         };
         let message = format!("nothing here is called `{}`", shortened(name));
@@ -194,6 +207,10 @@ impl<'w> Writer<'w, '_> {
     pub fn member(&mut self, at: usize, of: usize, name: &str) -> Operand {
         match self.operands[of].is.clone() {
             Is::Broken => Operand::broken(),
+            Is::Turns(_) => {
+                self.arrives(of);
+                Operand::broken()
+            }
             Is::Compound(compound) => {
                 let whole = &self.draft.compounds[compound].0;
                 let part = member_name(whole, name);
@@ -218,6 +235,7 @@ impl<'w> Writer<'w, '_> {
                 let part = element_name(&self.draft.compounds[compound].0, index);
                 self.part_of(at, compound, &part)
             }
+            Is::Turns(map) => self.turn(at, &map, index),
             _ => {
                 let Some(arrives) = self.arrives(of) else { return Operand::broken() };
                 let message = format!("{}, which has no elements", self.described(of, arrives));
@@ -230,6 +248,26 @@ impl<'w> Writer<'w, '_> {
                 self.report(Code::TYPE_MISMATCH, &mark, message, help);
                 Operand::broken()
             }
+        }
+    }
+
+    /// A turn of a map.
+    fn turn(&mut self, at: usize, map: &str, index: usize) -> Operand {
+        let draft = self.draft;
+        let Some(node) = draft.nodes_named(map).nth(index) else {
+            let (count, shown) = (draft.nodes_named(map).count(), shortened(map));
+            let message =
+                format!("the map `{shown}` yields a list of {count}, which has no [{index}]");
+            let help = format!("its last is `{shown}[{}]`", count.saturating_sub(1));
+            let mark = self.parsed.parts[at].mark.clone();
+            self.report(Code::UNKNOWN_NAME, &mark, message, help);
+            return Operand::broken();
+        };
+        match draft.nodes[node].node_type {
+            Some(node_type) => {
+                self.whole_node(draft.name(node).into(), node_type, self.types.generic(node))
+            }
+            None => Operand::broken(),
         }
     }
 

@@ -30,6 +30,8 @@ pub(super) enum Is {
     Node(String, NodeType, Option<Type>),
     /// An array or a struct of the interface.
     Compound(usize),
+    /// A map, by its name: a list, one turn of which is named by an index.
+    Turns(String),
 }
 
 /// What arrives where a value is wanted.

@@ -136,6 +136,10 @@ impl Writer<'_, '_> {
     ) -> Option<Operand> {
         let is_text = |it: Arrives| it.own() == Type::String;
         let equals = matches!(operator, Operator::Equal | Operator::NotEqual);
+        let is_truth = |it: Arrives| it.own() == Type::Boolean;
+        if equals && is_truth(a) && is_truth(b) {
+            return self.same_truth(at, operator, [one, other]);
+        }
         let (node, first, second) = match operator {
             _ if equals && is_text(a) && is_text(b) => ("string_equal", one, other),
             Operator::Less => ("less", one, other),
@@ -159,6 +163,22 @@ impl Writer<'_, '_> {
             return Some(made);
         }
         let value = self.at(at, &made);
+        Some(self.first_of(at, "not", vec![("input", value)], Type::Boolean))
+    }
+
+    /// `==` or `!=` of booleans.
+    fn same_truth(
+        &mut self,
+        at: usize,
+        operator: Operator,
+        [one, other]: [usize; 2],
+    ) -> Option<Operand> {
+        let inputs = vec![("a", self.value_of(one)), ("b", self.value_of(other))];
+        let differ = self.first_of(at, "xor", inputs, Type::Boolean);
+        if operator == Operator::NotEqual {
+            return Some(differ);
+        }
+        let value = self.at(at, &differ);
         Some(self.first_of(at, "not", vec![("input", value)], Type::Boolean))
     }
 
@@ -284,9 +304,6 @@ impl Writer<'_, '_> {
         let sign = operator.sign();
         let message = format!("`{sign}` compares scalars, but {}", self.described(part, arrives));
         let help = match arrives.own() {
-            Type::Boolean if operator == Operator::Equal => {
-                "use it as it is, or write `!` before it".into()
-            }
             Type::Boolean => "join booleans with `&&`, `||` and `!`".into(),
             own => remedy(own, Type::Scalar, &self.text(part)),
         };

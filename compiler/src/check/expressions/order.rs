@@ -32,9 +32,7 @@ pub(super) fn order(draft: &Draft<'_>, parsed: &[Parsed<'_>]) -> Vec<Item> {
     }
     for (at, expression) in parsed.iter().enumerate() {
         read_nodes(draft, expression).into_iter().for_each(|source| reads(nodes + at, source));
-        if let Some(node) = expression.node {
-            reads(node, nodes + at);
-        }
+        expression.nodes.iter().for_each(|&node| reads(node, nodes + at));
     }
     let mut ready: VecDeque<usize> = (0..count).filter(|&at| waiting[at] == 0).collect();
     let mut order = Vec::with_capacity(count);
@@ -79,7 +77,7 @@ fn collect<'p>(
                 if let Some(crate::document::ValueKind::String(name)) =
                     value.get("node").map(|node| &node.kind)
                 {
-                    found.extend(draft.node_names.get(name.as_str()));
+                    found.extend(draft.nodes_named(name));
                 }
             }
         }
@@ -89,7 +87,7 @@ fn collect<'p>(
         if let PartKind::Name(name) = &part.kind
             && bound.get(name.as_str()).is_none_or(|count| *count == 0)
         {
-            found.extend(draft.node_names.get(name.as_str()));
+            found.extend(draft.nodes_named(name));
         }
     }
     for (member, _) in &expression.bindings {

@@ -2,9 +2,9 @@
 
 use crate::check::keys::{EXPRESSION, EXPRESSION_KEYS};
 use crate::check::limits::MAX_NODES;
-use crate::check::names::check_key;
+use crate::check::names::{check_key, name_mistake};
 use crate::diagnostics::{Code, Finding};
-use crate::document::expression::{Mistake, Offsets, Part, Span, parse as parse_text};
+use crate::document::expression::{Mistake, Offsets, Part, Span, WORDS, parse as parse_text};
 use crate::document::{Member, Reader, Value};
 
 use super::sites::Site;
@@ -15,8 +15,8 @@ pub(super) struct Parsed<'d> {
     pub value: &'d Value,
     /// What its node is called.
     pub name: String,
-    /// The node it feeds.
-    pub node: Option<usize>,
+    /// The nodes it feeds.
+    pub nodes: Vec<usize>,
     /// Its text, escapes resolved.
     pub text: &'d str,
     /// Its parts; none where it has a mistake.
@@ -50,11 +50,11 @@ pub(super) fn parse<'d>(reader: &mut Reader<'d>, sites: Vec<Site<'d>>) -> Vec<Pa
 }
 
 fn read<'d>(reader: &mut Reader<'d>, site: Site<'d>, left: &mut usize) -> Parsed<'d> {
-    let Site { value, name, node } = site;
+    let Site { value, name, nodes } = site;
     let mut parsed = Parsed {
         value,
         name,
-        node,
+        nodes,
         text: "",
         parts: Vec::new(),
         offsets: Offsets::of("", 0, 0),
@@ -66,11 +66,12 @@ fn read<'d>(reader: &mut Reader<'d>, site: Site<'d>, left: &mut usize) -> Parsed
     let bound = object.optional("where");
     let members = bound.and_then(|bound| reader.members(bound, "`where`"));
     for member in members.into_iter().flatten() {
-        check_key(reader, member, "a name under `where`");
+        check_bound(reader, member);
         let name = format!("{}.{}", parsed.name, member.key);
         let bound = match member.value.get("expression") {
             Some(_) => {
-                Bound::Expression(read(reader, Site { value: &member.value, name, node }, left))
+                let site = Site { value: &member.value, name, nodes: Vec::new() };
+                Bound::Expression(read(reader, site, left))
             }
             None => Bound::Value(&member.value),
         };
@@ -86,9 +87,24 @@ fn read<'d>(reader: &mut Reader<'d>, site: Site<'d>, left: &mut usize) -> Parsed
             parsed.parts = parts;
         }
         Ok(_) => too_many(reader, given, left),
-        Err(mistake) => report(reader, &parsed, mistake),
+        Err(mistakes) => mistakes.into_iter().for_each(|it| report(reader, &parsed, it)),
     }
     parsed
+}
+
+/// Reports a name that no expression could use.
+fn check_bound(reader: &mut Reader<'_>, member: &Member) {
+    let what = "a name under `where`";
+    let key = member.key.as_str();
+    let message = match key.chars().next() {
+        _ if name_mistake(what, key).is_some() => return check_key(reader, member, what),
+        _ if WORDS.contains(&key) => format!("{what} is `{key}`, a word of the language"),
+        Some(first) if first.is_numeric() => format!("{what} begins with the digit {first:?}"),
+        _ if key.contains('-') => format!("{what} has a `-`, which subtracts in expressions"),
+        _ => return,
+    };
+    let help = "choose another: a letter or `_`, then letters, digits and `_`";
+    reader.report_key(Code::BAD_NAME, member, message, help);
 }
 
 /// Told once: what comes after is as much too much.

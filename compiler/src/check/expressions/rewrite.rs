@@ -13,13 +13,13 @@ use super::written::Rewritten;
 pub(super) fn rewrite(root: &Value, parsed: Vec<Parsed<'_>>, written: Written) -> Rewritten {
     let mut expressions = Vec::new();
     parsed.iter().for_each(|parsed| list(parsed, &mut expressions));
-    let mut places: HashMap<usize, Value> =
+    let places: HashMap<usize, Value> =
         written.places.into_iter().map(|(at, place)| (parsed[at].value.start, place)).collect();
     let mut root = root.clone();
     if let ValueKind::Object(members) = &mut root.kind {
         for member in members.iter_mut() {
             match member.key.as_str() {
-                "nodes" | "roots" | "outputs" => replace(&mut member.value, &mut places),
+                "nodes" | "roots" | "outputs" => replace(&mut member.value, &places),
                 _ => {}
             }
         }
@@ -52,13 +52,13 @@ fn list_spans(parsed: &Parsed<'_>, into: &mut Vec<(usize, usize)>) {
     into.push(parsed.place(&text));
 }
 
-/// Puts what expressions became in their places, which are found by where they start.
-fn replace(value: &mut Value, places: &mut HashMap<usize, Value>) {
+/// Puts what expressions became in their places, which are found by where they start: all turns of a map read one.
+fn replace(value: &mut Value, places: &HashMap<usize, Value>) {
     if let ValueKind::Object(_) = &value.kind
         && value.get("expression").is_some()
     {
-        if let Some(place) = places.remove(&value.start) {
-            *value = place;
+        if let Some(place) = places.get(&value.start) {
+            value.clone_from(place);
         }
         return;
     }

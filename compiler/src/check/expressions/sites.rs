@@ -1,5 +1,7 @@
 //! Where expressions stand.
 
+use std::collections::HashMap;
+
 use crate::check::draft::Draft;
 use crate::document::{Value, ValueKind};
 
@@ -12,8 +14,8 @@ pub(super) struct Site<'d> {
     pub value: &'d Value,
     /// What the node is called that it becomes: no author's name has an `@`.
     pub name: String,
-    /// The node whose input it is, or a part of one; none of a root.
-    pub node: Option<usize>,
+    /// The nodes whose input it is, or a part of one: all turns of a map or a fold, or one; none of a root.
+    pub nodes: Vec<usize>,
 }
 
 /// Whether there is an expression where connections stand.
@@ -34,14 +36,15 @@ fn holds(value: &Value) -> bool {
     }
 }
 
-/// All of them, in file order. Those within others, under `where`, are part of these.
+/// All of them, in file order. Those within others, under `where`, are part of these. What all turns of a map or a fold
+/// are given is written once, and is one of them.
 pub(super) fn find<'d>(root: &'d Value, draft: &Draft<'d>) -> Vec<Site<'d>> {
-    let mut found = Vec::new();
+    let mut found = Found::default();
     for (at, node) in draft.nodes.iter().enumerate() {
         let inputs = node.member.value.get("inputs").map_or(&[][..], Value::members);
         for input in inputs.iter().filter(|input| holds(&input.value)) {
             let name = format!("{}@{}", node.member.key, input.key);
-            walk(&input.value, name, Some(at), &mut found);
+            found.walk(&input.value, name, Some(at));
         }
     }
     for section in SECTIONS {
@@ -50,34 +53,52 @@ pub(super) fn find<'d>(root: &'d Value, draft: &Draft<'d>) -> Vec<Site<'d>> {
             if section == "outputs" && member.value.get("expression").is_some() {
                 continue;
             }
-            walk(&member.value, format!("@{section}.{}", member.key), None, &mut found);
+            found.walk(&member.value, format!("@{section}.{}", member.key), None);
         }
     }
-    found
+    found.sites
 }
 
-fn walk<'d>(value: &'d Value, name: String, node: Option<usize>, found: &mut Vec<Site<'d>>) {
-    if !holds(value) {
-        return;
+/// Those found so far, and their positions by where they start.
+#[derive(Default)]
+struct Found<'d> {
+    sites: Vec<Site<'d>>,
+    known: HashMap<usize, usize>,
+}
+
+impl<'d> Found<'d> {
+    fn add(&mut self, value: &'d Value, name: String, node: Option<usize>) {
+        let next = self.sites.len();
+        let at = *self.known.entry(value.start).or_insert(next);
+        if at == next {
+            self.sites.push(Site { value, name, nodes: Vec::new() });
+        }
+        self.sites[at].nodes.extend(node);
     }
-    match &value.kind {
-        ValueKind::Object(_) if value.get("expression").is_some() => {
-            found.push(Site { value, name, node });
+
+    fn walk(&mut self, value: &'d Value, name: String, node: Option<usize>) {
+        if !holds(value) {
+            return;
         }
-        ValueKind::Object(members) => {
-            for member in members {
-                let name = match member.key.as_str() {
-                    "struct" => name.clone(),
-                    key => format!("{name}.{key}"),
-                };
-                walk(&member.value, name, node, found);
+        match &value.kind {
+            ValueKind::Object(_) if value.get("expression").is_some() => {
+                self.add(value, name, node);
             }
-        }
-        ValueKind::Array(elements) => {
-            for (at, element) in elements.iter().enumerate() {
-                walk(element, format!("{name}[{at}]"), node, found);
+            ValueKind::Object(members) => {
+                for member in members {
+                    let name = match member.key.as_str() {
+                        "struct" => name.clone(),
+                        key => format!("{name}.{key}"),
+                    };
+                    self.walk(&member.value, name, node);
+                }
             }
+            ValueKind::Array(elements) => {
+                for (at, element) in elements.iter().enumerate() {
+                    self.walk(element, format!("{name}[{at}]"), node);
+                }
+            }
+            _ => {}
         }
-        _ => {}
     }
 }

@@ -4,6 +4,7 @@ use crate::check::draft::Draft;
 use crate::check::types::Types;
 use crate::diagnostics::{Code, shortened};
 use crate::document::expression::PartKind;
+use crate::document::numbers;
 use crate::document::{Reader, Value, ValueKind};
 use crate::values::Type;
 
@@ -58,7 +59,7 @@ pub(super) fn write<'d>(
 /// The type of what stands in the place of an expression; none of what has the type it is wanted as.
 fn lone_type(draft: &Draft<'_>, operand: &Operand) -> Option<Type> {
     match &operand.is {
-        Is::Broken | Is::Text | Is::Compound(_) => None,
+        Is::Broken | Is::Text | Is::Compound(_) | Is::Turns(_) => None,
         Is::Number => Some(Type::Scalar),
         Is::Triple => Some(Type::Color),
         Is::Of(value_type) => Some(*value_type),
@@ -105,7 +106,7 @@ fn expression<'d>(
     };
     for ((member, _), name) in parsed.bindings.iter().zip(scope.drain(outer..)) {
         // What has a mistake is not known to use nothing.
-        if !name.used.get() && !parsed.parts.is_empty() {
+        if !name.used.get() && !parsed.parts.is_empty() && !member.key.contains('-') {
             let message = format!("the expression does not use `{}`", shortened(&member.key));
             let help = "use it, or remove it from `where`";
             work.reader.report_key(Code::UNUSED_NAME, member, message, help);
@@ -174,12 +175,21 @@ impl Writer<'_, '_> {
         }
     }
 
+    /// A number as written.
+    fn number(&mut self, at: usize, number: &str) -> Operand {
+        if numbers::double(number).is_some_and(|it| (it as f32).is_finite()) {
+            return Operand { json: ValueKind::Number(number.to_owned()), is: Is::Number };
+        }
+        let span = self.parsed.parts[at].span.clone();
+        let message = format!("the number {} is too large for 32 bits", shortened(number));
+        self.report(Code::NOT_FINITE, &span, message, "the largest scalar is 3.4028235e38");
+        Operand::broken()
+    }
+
     fn part(&mut self, at: usize) -> Operand {
         let parsed = self.parsed;
         match &parsed.parts[at].kind {
-            PartKind::Number(number) => {
-                Operand { json: ValueKind::Number(number.clone()), is: Is::Number }
-            }
+            PartKind::Number(number) => self.number(at, number),
             PartKind::Boolean(truth) => Operand::of(ValueKind::Boolean(*truth), Type::Boolean),
             PartKind::Text(text) => Operand { json: ValueKind::String(text.clone()), is: Is::Text },
             PartKind::Name(name) => self.named(at, name),

@@ -75,6 +75,16 @@ impl Writer<'_, '_> {
                 self.report(Code::TYPE_MISMATCH, &span, message, help);
                 None
             }
+            Is::Turns(name) => {
+                let (count, shown) = (self.draft.nodes_named(name).count(), shortened(name));
+                let message = format!("the map `{shown}` yields a list of {count}, not one value");
+                let help = format!(
+                    "name one of them, such as `{shown}[0]`, or a node that makes one value of all: a `sum` or a `fold`"
+                );
+                let span = self.parsed.parts[part].span.clone();
+                self.report(Code::TYPE_MISMATCH, &span, message, help);
+                None
+            }
         }
     }
 

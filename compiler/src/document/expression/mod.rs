@@ -3,13 +3,18 @@
 
 mod offsets;
 mod parse;
+mod parser;
 mod syntax;
 mod token;
+mod words;
 
 #[cfg(test)]
 mod tests;
 
 pub(crate) use offsets::Offsets;
+pub use parse::MAX_EXPRESSION;
 pub(crate) use parse::parse;
-pub use parse::{MAX_EXPRESSION, MAX_EXPRESSION_DEPTH};
+pub use parser::MAX_EXPRESSION_DEPTH;
+pub(crate) use parser::WORDS;
 pub(crate) use syntax::{Argument, Mistake, Operator, Part, PartKind, Span};
+pub use words::{Role, Word, words, words_in};

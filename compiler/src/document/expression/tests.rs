@@ -1,4 +1,4 @@
-use super::{MAX_EXPRESSION, MAX_EXPRESSION_DEPTH, Offsets, PartKind, parse};
+use super::{MAX_EXPRESSION, MAX_EXPRESSION_DEPTH, Mistake, Offsets, PartKind, parse};
 
 /// An expression with all its brackets, or the mistake with its place.
 fn shown(text: &str) -> String {
@@ -36,9 +36,12 @@ fn shown(text: &str) -> String {
             }
             texts.pop().unwrap()
         }
-        Err(mistake) => {
-            let place = format!("{}..{}", mistake.span.start, mistake.span.end);
-            format!("{place} {}; {}", mistake.message, mistake.help)
+        Err(mistakes) => {
+            let told = mistakes.iter().map(|Mistake { span, message, help, .. }| {
+                assert!(span.end <= text.len() && text.get(span.clone()).is_some(), "{text}");
+                format!("{}..{} {message}; {help}", span.start, span.end)
+            });
+            told.collect::<Vec<String>>().join("\n")
         }
     }
 }
@@ -132,6 +135,111 @@ fn mistakes_have_a_place_and_a_remedy() {
         ("\u{1F600}", "0..4 the character '😀' has no meaning in an expression; remove it"),
     ] {
         assert_eq!(shown(text), expected, "{text}");
+    }
+}
+
+#[test]
+fn several_mistakes_are_told_at_once_and_nothing_that_follows_from_them() {
+    /// Where the mistakes are, each with its first words.
+    fn places(text: &str) -> Vec<String> {
+        let Err(mistakes) = parse(text) else { return Vec::new() };
+        let told = mistakes.iter().map(|it| {
+            let words: Vec<&str> = it.message.split(' ').take(3).collect();
+            format!("{}..{} {}", it.span.start, it.span.end, words.join(" "))
+        });
+        told.collect()
+    }
+    for (text, expected) in [
+        (
+            "(1 + ) * f(2,, 3) & 4",
+            &["5..6 expected a value,", "13..14 expected a value,", "18..19 there is no"][..],
+        ),
+        (
+            "a ^ 2 = b + 2x",
+            &["2..3 `^` is a", "6..7 `=` assigns nothing", "12..14 `2x` is neither"],
+        ),
+        ("a if b else c", &["2..4 expected an operator,"]),
+        ("1 + * 2 - / 3", &["4..5 expected a value,", "10..11 expected a value,"]),
+        (
+            "f(a b c, 2x, $d)",
+            &["4..5 expected `,` or", "9..11 `2x` is neither", "13..14 names are written"],
+        ),
+        ("a ; b ; c", &["2..3 an expression is", "6..7 an expression is"]),
+        ("{a + b}", &["0..1 `{` has no", "6..7 `}` has no"]),
+        ("a)) * 2 ^ b", &["1..2 this `)` closes", "8..9 `^` is a"]),
+        ("a, b, c", &["1..2 an expression is"]),
+        ("(a, b, c).rgb * 007", &["2..3 an expression is", "16..19 the number `007`"]),
+        (
+            "[1, [2], 3] * (a + ",
+            &["0..1 there are no", "17..18 expected a value,", "14..15 this `(` is"],
+        ),
+        ("f(g(h(1 + 2", &["5..6 this `(` is"]),
+        ("a < b < c < d", &["6..7 `<` and `<`"]),
+        ("(a < b) == (c < d)", &[]),
+        ("a[i] + b[2", &["2..3 expected a whole", "9..10 expected `]`, found"]),
+        ("a. + b.1", &["3..4 expected a name", "6..8 expected an operator,"]),
+        ("a ? b, c", &["5..6 expected `:` and"]),
+        ("f(a ? b) + +c", &["7..8 expected `:` and", "11..12 a `+` before"]),
+        ("'abc + (", &["0..1 this text has"]),
+        ("and + (or)", &["0..3 expected a value,", "7..9 expected a value,"]),
+        ("\u{1F600}\u{1F600}\u{1F600} + a", &["0..4 the character '\u{1F600}'"]),
+    ] {
+        assert_eq!(places(text), expected, "{text}");
+    }
+    assert_eq!(places(&"a ^".repeat(100)).len(), 10, "there is an end to it");
+}
+
+#[test]
+fn no_text_makes_the_parser_stop_or_fall() {
+    let words = [
+        "(",
+        ")",
+        "[",
+        "]",
+        ",",
+        ":",
+        "?",
+        ".",
+        "a",
+        "f(",
+        "1",
+        "'",
+        "-",
+        "!",
+        "not ",
+        "and ",
+        "<",
+        "==",
+        "**",
+        "^",
+        "=",
+        ";",
+        "\u{e9}",
+        "\u{1F600}",
+        "2x",
+        "1e999",
+        " ",
+        "\"",
+        "+",
+        "*",
+    ];
+    let mut state: u32 = 1;
+    for length in (1..=24).cycle().take(20_000) {
+        let mut text = String::new();
+        for _ in 0..length {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            text.push_str(words[(state >> 16) as usize % words.len()]);
+        }
+        match parse(&text) {
+            Ok(parts) => assert!(!parts.is_empty(), "{text}"),
+            Err(mistakes) => {
+                // Ten, and a bracket that is never closed.
+                assert!((1..=11).contains(&mistakes.len()), "{text}");
+                for mistake in mistakes {
+                    assert!(text.get(mistake.span).is_some(), "{text}");
+                }
+            }
+        }
     }
 }
 

@@ -47,8 +47,22 @@ const FOREIGN: [(&str, &str, &str); 7] = [
     ("−", "this is no minus of ASCII", "-"),
 ];
 
+/// What is no token.
+pub(super) struct Unknown {
+    /// Why it is none.
+    pub mistake: Mistake,
+    /// The token that is meant, where one is, with its place.
+    pub meant: Option<(Token, Span)>,
+}
+
+impl From<Mistake> for Unknown {
+    fn from(mistake: Mistake) -> Self {
+        Self { mistake, meant: None }
+    }
+}
+
 /// The token that begins at `at`, behind spaces, with its place.
-pub(super) fn next(text: &str, at: usize) -> Result<(Token, Span), Mistake> {
+pub(super) fn next(text: &str, at: usize) -> Result<(Token, Span), Unknown> {
     let rest = text[at..].trim_start();
     let start = text.len() - rest.len();
     let Some(first) = rest.chars().next() else { return Ok((Token::End, start..start)) };
@@ -69,7 +83,7 @@ pub(super) fn next(text: &str, at: usize) -> Result<(Token, Span), Mistake> {
     }
     if first == '^' {
         let message = "`^` is a power to some and \"exclusive or\" to others";
-        return Err(Mistake::mended(start..start + 1, message, "**"));
+        return Err(foreign(start..start + 1, message, "**"));
     }
     if !(first == '<' && follows('>'))
         && let Some(sign) = SIGNS.into_iter().find(|sign| rest.starts_with(sign))
@@ -79,7 +93,7 @@ pub(super) fn next(text: &str, at: usize) -> Result<(Token, Span), Mistake> {
     if let Some((sign, message, ours)) =
         FOREIGN.into_iter().find(|(sign, ..)| rest.starts_with(sign))
     {
-        return Err(Mistake::mended(start..start + sign.len(), message, ours));
+        return Err(foreign(start..start + sign.len(), message, ours));
     }
     let span = start..start + first.len_utf8();
     Err(match first {
@@ -96,7 +110,20 @@ pub(super) fn next(text: &str, at: usize) -> Result<(Token, Span), Mistake> {
             let message = format!("the character {first:?} has no meaning in an expression");
             Mistake::new(span, message, "remove it")
         }
-    })
+    }
+    .into())
+}
+
+/// What others write for a sign.
+fn foreign(span: Span, message: &str, ours: &'static str) -> Unknown {
+    let meant = Some((Token::Sign(ours), span.clone()));
+    Unknown { mistake: Mistake::mended(span, message, ours), meant }
+}
+
+/// What is meant as some number.
+fn no_number(span: Span, message: String, help: &str) -> Unknown {
+    let meant = Some((Token::Number("1".into()), span.clone()));
+    Unknown { mistake: Mistake::new(span, message, help), meant }
 }
 
 fn is_of_name(c: char) -> bool {
@@ -104,7 +131,7 @@ fn is_of_name(c: char) -> bool {
 }
 
 /// `0.5`, `.5`, `5.`, `1e-3`; the text it gives is a number of JSON.
-fn number(rest: &str, start: usize) -> Result<(Token, Span), Mistake> {
+fn number(rest: &str, start: usize) -> Result<(Token, Span), Unknown> {
     let bytes = rest.as_bytes();
     let digits =
         |from: usize| bytes[from..].iter().take_while(|byte| byte.is_ascii_digit()).count();
@@ -134,11 +161,11 @@ fn number(rest: &str, start: usize) -> Result<(Token, Span), Mistake> {
             "f" | "F" | "h" => format!("write `{number}`"),
             _ => format!("write `{number} * {word}` for a product"),
         };
-        return Err(Mistake::new(span, message, help));
+        return Err(no_number(span, message, &help));
     }
     if whole > 1 && bytes[0] == b'0' {
         let message = format!("the number `{}` begins with 0", &rest[..end]);
-        return Err(Mistake::new(span, message, "write it without the leading zeros"));
+        return Err(no_number(span, message, "write it without the leading zeros"));
     }
     let mut text = String::from(if whole == 0 { "0" } else { &rest[..whole] });
     if fraction > 0 {
@@ -149,16 +176,13 @@ fn number(rest: &str, start: usize) -> Result<(Token, Span), Mistake> {
 }
 
 /// `'glossy'`; there are no escapes in it.
-fn quoted(rest: &str, start: usize, quote: char) -> Result<(Token, Span), Mistake> {
-    match rest[1..].find(quote) {
-        Some(length) => Ok((Token::Text(rest[1..=length].into()), start..start + length + 2)),
-        None => {
-            let span = start..start + 1;
-            Err(Mistake::new(
-                span,
-                "this text has no closing quote",
-                format!("add `{quote}` behind it"),
-            ))
-        }
+fn quoted(rest: &str, start: usize, quote: char) -> Result<(Token, Span), Unknown> {
+    if let Some(length) = rest[1..].find(quote) {
+        return Ok((Token::Text(rest[1..=length].into()), start..start + length + 2));
     }
+    let help = format!("add `{quote}` behind it");
+    let mistake = Mistake::new(start..start + 1, "this text has no closing quote", help);
+    // All that follows may be meant as a part of it.
+    let meant = Some((Token::Text(rest[1..].into()), start..start + rest.len()));
+    Err(Unknown { mistake, meant })
 }
