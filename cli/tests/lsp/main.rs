@@ -3,6 +3,7 @@
 mod answers;
 mod disk;
 mod editor;
+mod expressions;
 mod files;
 mod foreign;
 mod names;

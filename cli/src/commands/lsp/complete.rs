@@ -7,6 +7,7 @@ use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::values::Type;
 
 use super::cursor::Cursor;
+use super::expression::Names;
 use super::file::OpenFile;
 use super::keys::{Spot, spot};
 use super::offers::Offers;
@@ -38,6 +39,10 @@ pub fn complete(
     }
     match file.ours {
         Some(Ours::Scene) => place.in_scene(&path),
+        Some(_) if path.last() == Some(&"expression") && !cursor.at_key => {
+            let Some(written) = &cursor.written else { return Vec::new() };
+            Names { scope: &place.scope, library, files }.complete(inner, written)
+        }
         Some(_) if cursor.at_key => place.key(inner),
         Some(_) => place.value(inner),
         None => Vec::new(),

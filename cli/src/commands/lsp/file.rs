@@ -9,7 +9,7 @@ use lsp_types::{
     NumberOrString, Position, Range, Uri,
 };
 use phenomenon_compiler::check::check_graph_with;
-use phenomenon_compiler::diagnostics::{Code, Finding, Place, Related, Severity, SourceFile};
+use phenomenon_compiler::diagnostics::{Finding, Place, Related, Severity, SourceFile};
 use phenomenon_compiler::document::{self, Document, ValueKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::link::check_with_graphs;
@@ -184,7 +184,7 @@ impl OpenFile {
             source: Some("phenomenon".into()),
             message,
             related_information: Some(related.collect()),
-            tags: IDLE.contains(&finding.code).then(|| vec![DiagnosticTag::UNNECESSARY]),
+            tags: finding.code.is_idle().then(|| vec![DiagnosticTag::UNNECESSARY]),
             ..Diagnostic::default()
         }
     }
@@ -235,9 +235,6 @@ fn name_of_file<'d>(
         _ => None,
     }
 }
-
-/// Codes of what could be left out.
-const IDLE: [Code; 3] = [Code::UNREACHABLE_NODE, Code::UNUSED_PARAMETER, Code::DEAD_INPUT];
 
 fn range(place: &Place) -> Range {
     range_in(&place.file, &(place.start..place.end))

@@ -4,12 +4,14 @@ use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind};
 use phenomenon_compiler::document::{Key, Value};
 use phenomenon_compiler::nodes::NodeLibrary;
 
+use super::expression::Names;
 use super::file::OpenFile;
 use super::keys;
 use super::open_files::OpenFiles;
-use super::part::{Part, text};
-use super::parts::{Parts, parts_of};
+use super::part::text;
+use super::parts::parts_of;
 use super::scope::Scope;
+use super::told::{of_input, of_node, parameter};
 use crate::ours::Ours;
 
 /// What there is to say about a byte of the file.
@@ -30,6 +32,13 @@ pub fn hover(
         return keys::key(&path).map(of_key).map(told);
     }
     let (scope, path) = Scope::of(file, &path);
+    if path.last() == Some(&"expression")
+        && let Some(object) = innermost(&document.root, at)
+    {
+        return Names { scope: &scope, library, files }
+            .hover(document, (object, path), at)
+            .map(told);
+    }
     let parts = |node: &str| parts_of(&scope, node, None, library, files);
     let told_of = match path {
         ["nodes" | "roots" | "outputs", .., "node" | "output"] => {
@@ -76,31 +85,4 @@ fn innermost(value: &Value, at: usize) -> Option<&Value> {
         }
     }
     found
-}
-
-fn of_node(parts: &Parts) -> String {
-    let listed = |parts: &[Part]| {
-        let names: Vec<String> =
-            parts.iter().map(|part| format!("`{}` {}", part.name, part.of)).collect();
-        names.join(", ")
-    };
-    let Parts { title, doc, source, inputs, outputs } = parts;
-    let (inputs, outputs) = (listed(inputs), listed(outputs));
-    let mut told = format!("{title}\n\n{doc}\n\nInputs: {inputs}\n\nOutputs: {outputs}");
-    if !source.is_empty() {
-        told.push_str(&format!("\n\nSource: {source}"));
-    }
-    told
-}
-
-fn of_input(input: &Part) -> String {
-    format!("`{}` {}\n\n{}", input.name, input.of, input.doc)
-}
-
-fn parameter(scope: &Scope<'_>, name: &str) -> Option<String> {
-    let name = &name[..name.find(['.', '[']).unwrap_or(name.len())];
-    let member = scope.members("interface").iter().find(|member| member.key == name)?;
-    let of = text(&member.value, "type").unwrap_or_default();
-    let doc = text(&member.value, "doc").unwrap_or_default();
-    Some(format!("parameter `{name}` {of}\n\n{doc}"))
 }

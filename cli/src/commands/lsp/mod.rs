@@ -5,6 +5,7 @@ mod answers;
 mod command;
 mod complete;
 mod cursor;
+mod expression;
 mod file;
 mod hover;
 mod in_editor;
@@ -18,6 +19,7 @@ mod parts;
 mod paths;
 mod scope;
 mod server;
+mod told;
 mod transport;
 
 pub use command::{Arguments, run};

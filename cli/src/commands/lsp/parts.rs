@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use phenomenon_compiler::check::turns::{ACCUMULATED, Form, INDEX, INITIAL, ITEM, OVER, form_of};
 use phenomenon_compiler::document::{Document, Value};
 use phenomenon_compiler::nodes::{FINITE, Input, NodeLibrary, Signature};
 use phenomenon_compiler::values::Type;
@@ -54,11 +55,49 @@ pub fn parts_of_node(
         return of_library(name, library);
     }
     let node_type = node.get("type")?;
-    let named = text(node_type, "phenomenon").or(text(node_type, "file"))?;
-    phenomenon_of_type(scope, node_type, files).map(|document| of_phenomenon(&document, named))
+    let body = body_of(node_type);
+    let named = text(body, "phenomenon").or(text(body, "file"))?;
+    let document = phenomenon_of_type(scope, node_type, files)?;
+    let mut parts = of_phenomenon(&document, named);
+    if let Some((form, _)) = form_of(node_type) {
+        to_turns(form, &mut parts);
+    }
+    Some(parts)
 }
 
-fn of_library(name: &str, library: &NodeLibrary) -> Option<Parts> {
+/// The body of a map or a fold; any other type is its own.
+pub fn body_of(node_type: &Value) -> &Value {
+    form_of(node_type).map_or(node_type, |(_, body)| body)
+}
+
+/// What a map or a fold has whose body has these parts: of what each turn is given itself the lists.
+fn to_turns(form: Form, parts: &mut Parts) {
+    parts.title = format!("{} ({})", parts.title, form.name());
+    let mut own = Vec::new();
+    for (parameter, input) in [(ITEM, OVER), (ACCUMULATED, INITIAL)] {
+        let is_given = parameter == ITEM || form == Form::Fold;
+        let Some(at) = parts.inputs.iter().position(|part| part.name == parameter) else {
+            continue;
+        };
+        if is_given {
+            let part = parts.inputs.remove(at);
+            let (of, doc) = match input {
+                OVER => (
+                    format!("list of {}", part.of),
+                    format!("What the turns go over, each as its `{ITEM}`. {}", part.doc),
+                ),
+                _ => (part.of, format!("What the first turn has as `{ACCUMULATED}`. {}", part.doc)),
+            };
+            own.push(Part { name: input.into(), of, doc, choices: part.choices });
+        }
+    }
+    parts.inputs.retain(|part| part.name != INDEX);
+    own.append(&mut parts.inputs);
+    parts.inputs = own;
+}
+
+/// What a node of the library has, by its type.
+pub fn of_library(name: &str, library: &NodeLibrary) -> Option<Parts> {
     library.find(name).map(|node_type| of_signature(library.signature(node_type)))
 }
 
@@ -70,9 +109,10 @@ pub fn phenomenon_of(scope: &Scope<'_>, name: &str, files: &OpenFiles) -> Option
 
 /// The phenomenon that is the type of a node: one in another file, or in this one.
 fn phenomenon_of_type(scope: &Scope<'_>, of: &Value, files: &OpenFiles) -> Option<Document> {
-    match text(of, "phenomenon") {
+    let body = body_of(of);
+    match text(body, "phenomenon") {
         Some(named) => scope.inner(named),
-        None => phenomenon(scope.file, text(of, "file")?, files),
+        None => phenomenon(scope.file, text(body, "file")?, files),
     }
 }
 

@@ -4,20 +4,27 @@ use std::path::Path;
 
 use lsp_types::{CompletionItem, CompletionItemKind, CompletionTextEdit, TextEdit};
 
+use phenomenon_compiler::check::keys::sections;
+use phenomenon_compiler::document::{GRAPH_FILES, Kind};
+use phenomenon_runtime::scene_file::SCENE;
+
 use super::file::OpenFile;
 
 /// Most files of a folder that are offered.
 const MOST: usize = 1000;
 
-/// The endings of files that a key names; none for keys that name no file.
+/// The endings of files that a key names; none for keys that name no file. What the tables of keys say of it; besides,
+/// a schema may be a file.
 pub fn endings(key: &str) -> Option<&'static [&'static str]> {
-    match key {
-        "file" | "$schema" => Some(&["json"]),
-        "texture" => Some(&["png", "jpg", "jpeg", "exr", "hdr"]),
-        "image" => Some(&["exr", "hdr", "png", "jpg", "jpeg"]),
-        "mesh" => Some(&["obj"]),
-        _ => None,
+    if key == "$schema" {
+        return Some(GRAPH_FILES);
     }
+    let all = SCENE.all().into_iter().chain(sections());
+    let mut keys = all.filter_map(|section| section.key(key));
+    keys.find_map(|key| match key.kind {
+        Kind::File(endings) => Some(endings),
+        _ => None,
+    })
 }
 
 /// Files with these endings, and folders, in the folder that is written so far; `at` is where the cursor stands in the
@@ -67,4 +74,26 @@ pub fn complete(
 fn escaped(name: &str) -> String {
     let quoted = super::offers::quoted(name);
     quoted[1..quoted.len() - 1].to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tables_say_which_keys_name_files() {
+        for (key, ending) in [
+            ("file", "json"),
+            ("mesh", "obj"),
+            ("second_uv", "obj"),
+            ("texture", "png"),
+            ("image", "exr"),
+            ("$schema", "json"),
+        ] {
+            assert!(endings(key).is_some_and(|of| of.contains(&ending)), "{key}");
+        }
+        for other in ["doc", "type", "node", "phenomenon", ""] {
+            assert!(endings(other).is_none(), "{other}");
+        }
+    }
 }

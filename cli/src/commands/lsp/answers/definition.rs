@@ -3,12 +3,13 @@
 use lsp_types::{Location, Range};
 use phenomenon_compiler::document::{Document, Member, Value, ValueKind};
 
-use super::links::FILE_KEYS;
 use crate::commands::lsp::address::uri_of;
 use crate::commands::lsp::file::{OpenFile, range_in};
 use crate::commands::lsp::names;
 use crate::commands::lsp::open_files::OpenFiles;
 use crate::commands::lsp::part::text;
+use crate::commands::lsp::parts::body_of;
+use crate::commands::lsp::paths::endings;
 
 /// Where the name under a byte is given, in this file or in one it uses; of the name of a file, its beginning.
 pub fn definition(file: &OpenFile, at: usize, files: &OpenFiles) -> Option<Location> {
@@ -19,7 +20,7 @@ pub fn definition(file: &OpenFile, at: usize, files: &OpenFiles) -> Option<Locat
     }
     let way = way_to(&document.root, at);
     let (last, above) = way.split_last()?;
-    if FILE_KEYS.contains(&last.key.as_str()) && last.value.start <= at {
+    if endings(&last.key).is_some() && last.value.start <= at {
         let ValueKind::String(named) = &last.value.kind else { return None };
         let path = file.folder().join(named);
         let uri = uri_of(&path.canonicalize().ok().filter(|path| path.is_file())?).parse().ok()?;
@@ -39,6 +40,7 @@ pub fn definition(file: &OpenFile, at: usize, files: &OpenFiles) -> Option<Locat
         "outputs" => string(&last.value)?,
         _ => &last.key,
     };
+    let of = body_of(of);
     let head = &name[..name.find(['.', '[']).unwrap_or(name.len())];
     match text(of, "file") {
         Some(named) => {

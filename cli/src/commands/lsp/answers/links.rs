@@ -5,9 +5,7 @@ use phenomenon_compiler::document::{Value, ValueKind};
 
 use crate::commands::lsp::address::uri_of;
 use crate::commands::lsp::file::OpenFile;
-
-/// Keys under which files are named.
-pub const FILE_KEYS: [&str; 5] = ["file", "texture", "mesh", "image", "$schema"];
+use crate::commands::lsp::paths::endings;
 
 /// Links to the files that the file names and that are there.
 pub fn links(file: &OpenFile) -> Option<Vec<DocumentLink>> {
@@ -20,7 +18,7 @@ pub fn links(file: &OpenFile) -> Option<Vec<DocumentLink>> {
                 for member in members {
                     match member.key.as_str() {
                         "editor" => {}
-                        key if FILE_KEYS.contains(&key) => links.extend(link(file, &member.value)),
+                        key if endings(key).is_some() => links.extend(link(file, &member.value)),
                         _ => pending.push(&member.value),
                     }
                 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use lsp_types::{DocumentChanges, OneOf, PrepareRenameResponse, TextDocumentEdit, TextEdit};
 use lsp_types::{OptionalVersionedTextDocumentIdentifier, Uri, WorkspaceEdit};
 use phenomenon_compiler::check::name_mistake;
-use phenomenon_compiler::document::{Member, Value, ValueKind};
+use phenomenon_compiler::document::{Member, Role, Value, ValueKind, words};
 
 use crate::commands::lsp::address::names_of;
 use crate::commands::lsp::file::OpenFile;
@@ -40,8 +40,26 @@ pub fn rename(
     if let Some(mistake) = name_mistake("the name", new) {
         return Err(format!("{mistake}: use letters, digits, `_` and `-`, at most 256 of them"));
     }
-    let is_taken =
-        |other: &Name| other.kind == name.kind && other.scope == name.scope && other.name == new;
+    let in_expressions =
+        name.kind == NameKind::Bound || index.uses_of(name).any(|used| used.in_expression);
+    if in_expressions && !is_word(new) {
+        return Err(
+            "expressions name it, so the new name is a letter or `_`, then letters, digits and `_`"
+                .into(),
+        );
+    }
+    // What an expression names by one name must not be two things, nor be hidden.
+    let in_reach = |other: &Name| match other.kind {
+        NameKind::Node | NameKind::Parameter => {
+            other.scope == name.scope || name.kind == NameKind::Bound
+        }
+        NameKind::Bound => true,
+        _ => false,
+    };
+    let is_taken = |other: &Name| {
+        let same = other.kind == name.kind && other.scope == name.scope;
+        other.name == new && (same || in_expressions && in_reach(other))
+    };
     if new != name.name && index.names.iter().any(is_taken) {
         return Err(format!("`{new}` is there already: choose another name"));
     }
@@ -59,6 +77,12 @@ pub fn rename(
         }
     }
     Ok(edit_of(edits))
+}
+
+/// Whether an expression can name something so.
+fn is_word(name: &str) -> bool {
+    let found = words(name);
+    matches!(found.as_slice(), [only] if only.role == Role::Value && only.name == name)
 }
 
 /// Edits of files by their addresses, which need not be ones that `lsp_types` reads.

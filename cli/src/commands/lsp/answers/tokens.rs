@@ -45,7 +45,7 @@ pub fn tokens(file: &OpenFile) -> Option<Vec<SemanticToken>> {
 fn kind_of(kind: NameKind) -> u32 {
     match kind {
         NameKind::Parameter => PARAMETER,
-        NameKind::Node | NameKind::Light => VARIABLE,
+        NameKind::Node | NameKind::Light | NameKind::Bound => VARIABLE,
         NameKind::Phenomenon => CLASS,
         NameKind::Output | NameKind::Preset => PROPERTY,
     }

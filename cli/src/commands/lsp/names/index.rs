@@ -15,6 +15,8 @@ pub enum NameKind {
     Output,
     /// A preset of parameters.
     Preset,
+    /// A name that `where` binds in an expression.
+    Bound,
     /// A light of a scene.
     Light,
 }
@@ -43,9 +45,12 @@ pub struct Use {
     pub name: String,
     /// The bytes of the name, without quotes.
     pub place: Range<usize>,
+    /// Whether it stands in the text of an expression.
+    pub in_expression: bool,
 }
 
-/// The names of a file: of all its scopes, the file itself and the phenomena within it.
+/// The names of a file: of all its scopes, the file itself, the phenomena within it, and in expressions what stands
+/// behind each name that `where` binds.
 #[derive(Debug, Default)]
 pub struct Index {
     /// Of each scope the one round it; the first is the file's.
@@ -80,7 +85,7 @@ impl Index {
                 return Some(name);
             }
             scope = match used.kind {
-                NameKind::Phenomenon => self.scopes[at],
+                NameKind::Phenomenon | NameKind::Bound => self.scopes[at],
                 _ => None,
             };
         }
