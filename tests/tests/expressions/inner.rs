@@ -91,7 +91,7 @@ fn names_are_those_of_the_phenomenon_round_the_text() {
             "s": { "type": "sum", "inputs": { "values": [{ "expression": "look.list[1]" }, { "expression": "t" }, 1,
                 { "expression": "u", "where": { "v": { "expression": "t * 10" }, "u": { "expression": "v + w",
                     "where": { "w": { "expression": "v * 2" }, "v": 0.5 } } } }] } } },
-        "roots": { "material": { "color": { "expression": "m.v.x + m + s" }, "ok": { "expression": "m > 0 == (t != 0)" } } } }"#;
+        "roots": { "material": { "color": { "expression": "m.v.x + m + s" }, "ok": { "expression": "(m > 0) == (t != 0)" } } } }"#;
     // inmost: (6 + 1)^2 = 49; m = 98, m.v.x = 49; s = 7 + 2 + 1 + (0.5 + 40)
     yields(text, 49.0 + 98.0 + 50.5);
 }
