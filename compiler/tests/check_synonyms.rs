@@ -47,6 +47,7 @@ fn every_node_has_a_row_and_every_row_a_node() {
         known.extend(definition.signature.outputs.iter().map(|output| &*output.name));
     }
     known.extend(["interface", "roots", "doc", "[r, g, b]", "bg", "fg", "minus", "fmod"]);
+    known.insert("file.<UDIM>.png");
     let advice =
         NODES.called.iter().map(|row| row.mind).chain(NODES.absent.iter().map(|row| row.instead));
     for text in advice {

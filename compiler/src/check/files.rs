@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::diagnostics::{Code, Finding, Place, SourceFile};
 use crate::document::{Document, irregular, open_file, read_file};
+use crate::values::{Tile, TilePattern, TilesError};
 
 /// Where the files of nested phenomena come from.
 pub trait Files {
@@ -24,6 +25,14 @@ pub trait Files {
     /// formats of pictures looks into the file as well.
     fn unusable_picture(&self, path: &Path) -> Option<(Code, String)> {
         self.unusable(path).map(|why| (Code::UNREADABLE_FILE, why))
+    }
+
+    /// The tiles that a name stands for, with their files, by row and column; by default those on disk.
+    ///
+    /// # Errors
+    /// There are none, or their folder cannot be read.
+    fn tiles(&self, pattern: &TilePattern) -> Result<Vec<(Tile, PathBuf)>, TilesError> {
+        pattern.files()
     }
 }
 

@@ -3,7 +3,7 @@
 /// A picture, and how its numbers become colours.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Texture {
-    /// Path of the file, relative to the working folder or absolute.
+    /// Path of the file, relative to the working folder or absolute; or of tiles, as [`TilePattern`](super::TilePattern) has it.
     pub file: String,
     /// What its numbers mean.
     pub space: Space,

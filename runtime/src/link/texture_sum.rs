@@ -1,13 +1,13 @@
 //! How large the textures of a scene are together.
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use phenomenon_compiler::diagnostics::{Code, Finding};
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shader};
 use phenomenon_compiler::graph::{Binding, Graph};
-use phenomenon_compiler::values::{Literal, Texture, Type};
+use phenomenon_compiler::values::{Literal, Texture, TilePattern, Type};
 
 use crate::render::CALLED_ROOTS;
 use crate::scene_file::{Assets, MaterialRef};
@@ -55,24 +55,38 @@ impl<'a> TextureSum<'a> {
     /// Adds what was not added before.
     fn count(&mut self, shader: &Shader) -> Result<(), TextureError> {
         let Some(sum) = &mut self.sum else { return Ok(()) };
-        // What cannot be read was told of.
-        let size = |texture: &Texture| self.assets.size(Path::new(&texture.file));
         for texture in shader.textures() {
-            if let Some(size) = size(&texture)
-                && self.known.insert(texture.clone())
-            {
-                sum.add(&texture.file, size)?;
+            if !self.known.contains(&texture) {
+                for (file, size) in sizes(self.assets, &texture) {
+                    sum.add(&file, size)?;
+                }
+                self.known.insert(texture);
             }
         }
         for texture in shader.filtered_textures() {
-            if let Some(size) = size(&texture)
-                && self.known_filtered.insert(texture.clone())
-            {
-                sum.add_levels(&texture.file, size)?;
+            if !self.known_filtered.contains(&texture) {
+                for (file, size) in sizes(self.assets, &texture) {
+                    sum.add_levels(&file, size)?;
+                }
+                self.known_filtered.insert(texture);
             }
         }
         Ok(())
     }
+}
+
+/// The files a texture is of, with columns and rows of each. What cannot be read was told of.
+fn sizes(assets: &Assets, texture: &Texture) -> Vec<(String, [u32; 2])> {
+    let path = PathBuf::from(&texture.file);
+    let files = match TilePattern::of(&path) {
+        None => vec![path],
+        Some(pattern) => {
+            let tiles = pattern.files().unwrap_or_default();
+            tiles.into_iter().map(|(_, path)| path).collect()
+        }
+    };
+    let files = files.into_iter();
+    files.filter_map(|path| Some((path.display().to_string(), assets.size(&path)?))).collect()
 }
 
 /// Whether a graph can have textures at all.

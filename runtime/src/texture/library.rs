@@ -5,8 +5,9 @@ use std::path::Path;
 
 use phenomenon_compiler::effects::{Lookup, Sampling, TextureId};
 use phenomenon_compiler::engine::Shade;
-use phenomenon_compiler::values::{Space, Texture};
+use phenomenon_compiler::values::{Space, Texture, TilePattern, TilesError};
 
+use super::tiles::Tiles;
 use super::{Picture, levels};
 use crate::film::{self, FilmError, SizeError};
 
@@ -16,6 +17,14 @@ pub enum TextureError {
     /// The file cannot be read as a picture.
     #[error(transparent)]
     File(#[from] FilmError),
+    /// It is a set of tiles, and there are none.
+    #[error("{file}: {error}")]
+    Tiles {
+        /// The pattern.
+        file: String,
+        /// Why.
+        error: TilesError,
+    },
     /// There is not enough memory for coarser versions of the picture.
     #[error(transparent)]
     Levels(#[from] SizeError),
@@ -99,8 +108,15 @@ impl PixelSum {
 #[derive(Debug, Default)]
 pub struct Textures {
     numbers: BTreeMap<Texture, TextureId>,
-    pictures: Vec<Picture>,
+    opened: Vec<Opened>,
     sum: PixelSum,
+}
+
+/// What a texture is.
+#[derive(Debug)]
+enum Opened {
+    Picture(Picture),
+    Tiles(Tiles),
 }
 
 impl Textures {
@@ -112,19 +128,35 @@ impl Textures {
         if self.numbers.contains_key(texture) {
             return Ok(());
         }
-        let path = Path::new(&texture.file);
+        let opened = match TilePattern::of(Path::new(&texture.file)) {
+            None => Opened::Picture(self.read_file(&texture.file, texture.space)?),
+            Some(pattern) => {
+                let missing = |error| TextureError::Tiles { file: texture.file.clone(), error };
+                let mut tiles = Tiles::default();
+                for (tile, path) in pattern.files().map_err(missing)? {
+                    let picture = self.read_file(&path.display().to_string(), texture.space)?;
+                    tiles.add(tile, picture);
+                }
+                Opened::Tiles(tiles)
+            }
+        };
+        self.numbers.insert(texture.clone(), TextureId(self.opened.len() as u32));
+        self.opened.push(opened);
+        Ok(())
+    }
+
+    fn read_file(&mut self, file: &str, space: Space) -> Result<Picture, TextureError> {
+        let path = Path::new(file);
         let header = film::read_header(path)?;
-        self.sum.add(&texture.file, [header.width, header.height])?;
-        let film = film::read_as(path, Some(texture.space))?;
+        self.sum.add(file, [header.width, header.height])?;
+        let film = film::read_as(path, Some(space))?;
         let width = film.width() as usize;
         let bad = film.pixels().iter().position(|pixel| !pixel.iter().all(|x| x.is_finite()));
         if let Some(at) = bad {
             let (column, row) = ((at % width) as u32, (at / width) as u32);
-            return Err(TextureError::NotFinite { file: texture.file.clone(), column, row });
+            return Err(TextureError::NotFinite { file: file.to_owned(), column, row });
         }
-        self.numbers.insert(texture.clone(), TextureId(self.pictures.len() as u32));
-        self.pictures.push(Picture::new(film));
-        Ok(())
+        Ok(Picture::new(film))
     }
 
     /// Opens all that a shader may read, and makes those ready for footprints that are read by them.
@@ -139,17 +171,28 @@ impl Textures {
     /// Makes the coarser versions of a texture that was opened, unless there are any.
     fn make_levels(&mut self, texture: &Texture) -> Result<(), TextureError> {
         let number = self.number(texture);
-        let Some(picture) = self.pictures.get_mut(number.0 as usize) else { return Ok(()) };
-        if !picture.has_levels() {
-            self.sum.add_levels(&texture.file, picture.size())?;
-            picture.make_levels()?;
+        match self.opened.get_mut(number.0 as usize) {
+            Some(Opened::Picture(picture)) if !picture.has_levels() => {
+                self.sum.add_levels(&texture.file, picture.size())?;
+                picture.make_levels()?;
+            }
+            Some(Opened::Tiles(tiles)) => {
+                for size in tiles.sizes_without_levels() {
+                    self.sum.add_levels(&texture.file, size)?;
+                }
+                tiles.make_levels()?;
+            }
+            Some(Opened::Picture(_)) | None => {}
         }
         Ok(())
     }
 
-    /// Columns and rows of a texture.
+    /// Columns and rows of a texture; of tiles, those of the first.
     pub fn size(&self, texture: TextureId) -> Option<[u32; 2]> {
-        self.picture(texture).map(Picture::size)
+        match self.opened.get(texture.0 as usize)? {
+            Opened::Picture(picture) => Some(picture.size()),
+            Opened::Tiles(tiles) => tiles.size(),
+        }
     }
 
     /// The number of a texture; that of none where it was not opened.
@@ -157,9 +200,12 @@ impl Textures {
         self.numbers.get(texture).copied().unwrap_or(TextureId(u32::MAX))
     }
 
-    /// The picture of a number.
+    /// The picture of a number; none where it is not there, or is made of tiles.
     pub fn picture(&self, texture: TextureId) -> Option<&Picture> {
-        self.pictures.get(texture.0 as usize)
+        match self.opened.get(texture.0 as usize)? {
+            Opened::Picture(picture) => Some(picture),
+            Opened::Tiles(_) => None,
+        }
     }
 
     /// The colour of a texture at each place, as shaders are answered; none where there is none.
@@ -170,9 +216,13 @@ impl Textures {
         lookups: &[Lookup],
         colors: &mut [Option<[f32; 4]>],
     ) {
-        let picture = self.picture(texture);
+        let opened = self.opened.get(texture.0 as usize);
         for (lookup, color) in lookups.iter().zip(colors) {
-            *color = picture.and_then(|picture| picture.color(sampling, lookup));
+            *color = match opened {
+                Some(Opened::Picture(picture)) => picture.color(sampling, lookup),
+                Some(Opened::Tiles(tiles)) => tiles.color(sampling, lookup),
+                None => None,
+            };
         }
     }
 }
@@ -194,7 +244,7 @@ mod tests {
         for space in [Space::Srgb, Space::Linear, Space::Srgb] {
             textures.open(&texture(space)).unwrap();
         }
-        assert_eq!(textures.pictures.len(), 2);
+        assert_eq!(textures.opened.len(), 2);
         let red = |space| {
             let picture = textures.picture(textures.number(&texture(space))).unwrap();
             let middle = Lookup { uv: [0.5, 0.5], ..Lookup::default() };
@@ -239,6 +289,37 @@ mod tests {
         for _ in 0..2 {
             textures.make_levels(&second).unwrap();
         }
+    }
+
+    #[test]
+    fn tiles_are_opened_and_counted_together() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, width) in [("a.1001.png", 3), ("a.1003.png", 1), ("a.1001.exr", 50)] {
+            film::write(&Film::new(width, 2).unwrap(), &folder.path().join(name), 1.0).unwrap();
+        }
+        let file = folder.path().join("a.<UDIM>.png").display().to_string();
+        let texture = Texture { file, space: Space::Linear };
+        let error = limited_to(7).open(&texture).unwrap_err().to_string();
+        assert!(error.contains("a.1003.png: with it all textures have 8 pixels"), "{error}");
+        // Coarser versions: of 3 by 2 one pixel, of 1 by 2 another.
+        let mut textures = limited_to(10);
+        textures.open(&texture).unwrap();
+        for _ in 0..2 {
+            textures.make_levels(&texture).unwrap();
+        }
+        assert_eq!(textures.sum.pixels, 10);
+        let number = textures.number(&texture);
+        assert_eq!(textures.size(number), Some([3, 2]));
+        let mut colors = [None; 3];
+        let lookups =
+            [[0.5, 0.5], [1.5, 0.5], [2.5, 0.5]].map(|uv| Lookup { uv, ..Lookup::default() });
+        textures.read(number, Sampling::default(), &lookups, &mut colors);
+        assert_eq!(colors.map(|color| color.is_some()), [true, false, true]);
+        let none = folder.path().join("b.<UDIM>.png").display().to_string();
+        let none = Texture { file: none, space: Space::Linear };
+        let error = textures.open(&none).unwrap_err().to_string();
+        assert!(error.contains("b.<UDIM>.png: ") && error.contains("`b.1001.png`"), "{error}");
+        assert_eq!(textures.size(textures.number(&none)), None);
     }
 
     #[test]

@@ -5,6 +5,7 @@ mod footprint;
 mod levels;
 mod library;
 mod picture;
+mod tiles;
 mod wrap;
 
 pub use decoded::DecodedPictures;

@@ -19,6 +19,10 @@ node! {
     /// computed, how these change with it. Where that covers less than a pixel of the picture it is `linear`. Data, such as a normal map or a height, are read as they are where the texture says
     /// `"space": "linear"`.
     ///
+    /// A picture may be a set of tiles, `file.<UDIM>.png` or `file<UVTILE>.png`: tile 1001 + u + 10 v fills the square from
+    /// (u, v) on, and a lookup reads the tile its place lies in up to that tile's edges, whatever the modes. Where
+    /// there is no tile the colour is transparent black, and `ok` is false.
+    ///
     /// MaterialX's `image` has the same names of modes, its `default` also for files that are not there.
     texture_lookup in rays request ReadTexture,
     source "mental ray base shaders, mib_texture_lookup, mib_texture_filter_lookup; mi_lookup_color_texture; \
@@ -51,7 +55,7 @@ node! {
     outputs {
         /// Scene-linear colour, associated: multiplied by the alpha of the picture, which it has.
         color: color;
-        /// Whether there is a texture, and both coordinates are finite.
+        /// Whether there is a texture, with a tile there, and both coordinates are finite.
         ok: boolean;
     }
 }

@@ -2,6 +2,7 @@
 
 use lsp_types::DocumentLink;
 use phenomenon_compiler::document::{Value, ValueKind};
+use phenomenon_compiler::values::TilePattern;
 
 use crate::commands::lsp::address::uri_of;
 use crate::commands::lsp::file::OpenFile;
@@ -33,6 +34,9 @@ pub fn links(file: &OpenFile) -> Option<Vec<DocumentLink>> {
 fn link(file: &OpenFile, value: &Value) -> Option<DocumentLink> {
     let ValueKind::String(named) = &value.kind else { return None };
     let path = file.folder().join(named);
+    // Of tiles, the first.
+    let tiles = TilePattern::of(&path).and_then(|pattern| pattern.files().ok());
+    let path = tiles.and_then(|tiles| tiles.into_iter().next()).map_or(path, |(_, first)| first);
     // A name without a file is a string like others, or a mistake that is told of elsewhere.
     if named.is_empty() || !path.is_file() {
         return None;
