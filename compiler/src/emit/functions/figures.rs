@@ -25,6 +25,43 @@ pub fn is_odd<R: Real>(x: R) -> R::Mask {
     (whole - (whole * 0.5).floor() * 2.0).equal(x.same(1.0))
 }
 
+/// The side of a square that has the variance of the parallelogram two steps span, along one axis.
+#[inline(always)]
+pub fn spread<R: Real>(first: R, second: R) -> R {
+    let (first, second) = (first.absolute(), second.absolute());
+    let (large, small) = (first.maximum(second), first.minimum(second));
+    let share = small.divide_or_zero(large);
+    // Scaled, so that no square vanishes or overflows.
+    large * share.mul_add(share, large.same(1.0)).sqrt()
+}
+
+/// The mean over `width` round a place of what is 1 over even whole numbers and -1 over odd ones. Exactly 1
+/// or -1 where no edge is within reach; towards 0 with a growing width.
+///
+/// The integral of it is a triangle wave, and the difference of two of its values, divided by the width, the mean.
+/// For narrow widths both are nearly the same, and rounding is all that is left; so up to 1, where at most one
+/// edge is within reach on either side of the nearest, the mean is twice the distance from that over the width.
+#[inline(always)]
+pub fn mean_sign<R: Real>(at: R, width: R) -> R {
+    let one = at.same(1.0);
+    let nearest = (at + 0.5).floor();
+    let apart = (at - nearest) * 2.0;
+    // Where the edge itself is decides the place: nothing is 0 / 0.
+    let rising = apart.divide_or_zero(width).clamp_to(-one, one);
+    let below = apart.less(at.same(0.0)).select(-one, one);
+    let rising = apart.absolute().less(width).select(rising, below);
+    let narrow = is_odd(nearest).select(-rising, rising);
+    let half = width * 0.5;
+    let wide = (triangle(at + half) - triangle(at - half)).divide_or_zero(width);
+    width.less_equal(one).select(narrow, wide.clamp_to(-one, one))
+}
+
+/// The distance from the nearest even number, 0..1.
+#[inline(always)]
+fn triangle<R: Real>(x: R) -> R {
+    (x - ((x * 0.5 + 0.5).floor() * 2.0)).absolute().saturate()
+}
+
 /// Inside a circle.
 #[inline(always)]
 pub fn in_circle<R: Real>(at: Place<R>, radius: R) -> R::Mask {
