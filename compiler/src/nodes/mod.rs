@@ -130,17 +130,17 @@ nodes! {
     }
     /// Where to read pictures.
     textures {
-        bump_normal, cylindrical_projection, latlong_projection, normal_from_map, place_2d, planar_projection,
+        bump_normal, cylindrical_projection, hex_tile_blend, hex_tile_places, latlong_projection, normal_from_map, place_2d, planar_projection,
         slope, spherical_projection, triplanar_blend, triplanar_places,
     }
     /// What surfaces do with the light of one sample.
     shading {
-        ashikhmin_shirley, blinn, cook_torrance, ggx, lambert, oren_nayar, phong, schlick_anisotropic,
+        ashikhmin_shirley, blinn, burley, cook_torrance, ggx, lambert, oren_nayar, phong, schlick_anisotropic,
         sheen, torrance_sparrow, ward,
     }
     /// Reflectances of surfaces for two directions, and directions drawn to suit them.
     brdf {
-        ashikhmin_shirley_brdf, ashikhmin_shirley_density, ashikhmin_shirley_sample, cook_torrance_brdf,
+        ashikhmin_shirley_brdf, ashikhmin_shirley_density, ashikhmin_shirley_sample, burley_brdf, cook_torrance_brdf,
         ggx_brdf, ggx_density, ggx_sample, lambert_brdf, lambert_density, lambert_sample,
         microfacet_density, microfacet_distribution, microfacet_sample, oren_nayar_brdf, phong_brdf,
         phong_density, phong_sample, schlick_anisotropic_brdf, schlick_phase, sheen_brdf,

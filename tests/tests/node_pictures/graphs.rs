@@ -41,6 +41,10 @@ const GIVEN: &[(&str, &str, &str)] = &[
     ("triplanar_blend", "x", "[0.9, 0.15, 0.1]"),
     ("triplanar_blend", "y", "[0.2, 0.75, 0.15]"),
     ("triplanar_blend", "z", "[0.1, 0.25, 0.9]"),
+    ("hex_tile_blend", "weights", r#"{ "node": "hexes", "output": "weights" }"#),
+    ("hex_tile_blend", "first", "[0.9, 0.15, 0.1]"),
+    ("hex_tile_blend", "second", "[0.2, 0.75, 0.15]"),
+    ("hex_tile_blend", "third", "[0.1, 0.25, 0.9]"),
     ("slope", "there", r#"{ "node": "here", "output": "u" }"#),
     ("slope", "step", "1"),
     ("bump_normal", "height", r#"{ "node": "bumps" }"#),
@@ -92,6 +96,7 @@ const SHOWN: &[(&str, &str)] = &[
     ("worley_noise", "f1"),
     ("hexagon_tiles", "color"),
     ("flakes", "random"),
+    ("hex_tile_places", "weights"),
 ];
 
 /// The graph that shows a node.
@@ -135,6 +140,7 @@ fn surroundings() -> Map<String, Value> {
         "scaled": { "type": "scale", "inputs": { "input": { "node": "here", "output": "point" }, "factor": 5 } },
         "place": { "type": "add", "inputs": { "a": { "node": "scaled" }, "b": [40.3, 0.4, 7.2] } },
         "stripes": { "type": "stripes" },
+        "hexes": { "type": "hex_tile_places" },
         "across": { "type": "combine_vector", "inputs": { "x": { "node": "here", "output": "u" }, "y": { "node": "here", "output": "v" } } },
         "fine": { "type": "scale", "inputs": { "input": { "node": "across" }, "factor": 12 } },
         "bumps": { "type": "gradient_noise", "inputs": { "position": { "node": "fine" }, "dimensions": 2 } },

@@ -51,6 +51,9 @@ pub const MODELS: &[Reflectance] = models! {
     oren_nayar_brdf [sigma Number(0.5)] by lambert_sample [], more 1.007;
     oren_nayar_brdf [sigma Number(1.0)] by lambert_sample [], at_most_all 0.912;
     oren_nayar_brdf [sigma Number(1.0), model Choice(1)] by lambert_sample [], at_most_all 0.819;
+    burley_brdf [roughness Number(0.0)] by lambert_sample [], at_most_all 0.976;
+    burley_brdf [] by lambert_sample [], more 1.025;
+    burley_brdf [roughness Number(1.0)] by lambert_sample [], more 1.523;
     phong_brdf [kind Choice(0), exponent Number(1.0)] by lambert_sample [], more 2.094;
     phong_brdf [kind Choice(1), exponent Number(10.0)] by phong_sample [exponent Number(4.0)], more 0.855;
     phong_brdf [exponent Number(1.0)] by lambert_sample [], at_most_all 1.0;

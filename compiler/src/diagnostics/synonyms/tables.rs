@@ -31,6 +31,7 @@ pub const SEVERAL: &[&str] = &[
     "shift_along_surface",
     "box_mapping",
     "box_projection",
+    "hex_tiling",
     "fresnel",
     "trace",
     "split",
