@@ -31,27 +31,47 @@ fn with_rows<'a>(cases: &'a [Case], rows: &'a [Row]) -> Vec<(&'a Case, Option<&'
     cases.iter().map(|case| (case, row_of(rows, case))).collect()
 }
 
+/// How many cases of a category there are.
+#[derive(Default)]
+struct Counts {
+    /// With a row of ours.
+    mapped: usize,
+    /// Of those, how many agree.
+    agreed: usize,
+    /// Without one.
+    unmapped: usize,
+    /// Why not.
+    reasons: BTreeSet<&'static str>,
+}
+
 #[test]
 fn cases_agree_or_their_category_is_listed_with_a_reason() {
     let (cases, rows, library) = (cases(), rows(), NodeLibrary::standard());
     let mut wrong = Vec::new();
-    let (mut agreed, mut listed) = (0, BTreeMap::<&str, usize>::new());
+    let mut counts = BTreeMap::<&str, Counts>::new();
     for (case, row) in with_rows(&cases, &rows) {
         let Some(row) = row else {
             wrong.push(format!("{}: no row of categories.txt is for it", case.nodedef));
             continue;
         };
+        let counts = counts.entry(row.category).or_default();
         if row.how == How::No {
-            *listed.entry(row.text).or_default() += 1;
+            counts.unmapped += 1;
+            counts.reasons.insert(row.text);
             continue;
         }
+        counts.mapped += 1;
         let evaluator = Evaluator::new(case, row, &library, Engine::Walk);
         match evaluator.and_then(|evaluator| bound::hold(case, row.coarse, &evaluator)) {
-            Ok(()) => agreed += 1,
+            Ok(()) => counts.agreed += 1,
             Err(error) => wrong.push(format!("{case}\n  {error}")),
         }
     }
-    println!("{agreed} cases agree; those that are not ours: {listed:#?}");
+    let agreed: usize = counts.values().map(|counts| counts.agreed).sum();
+    println!("{agreed} of {} cases agree", cases.len());
+    for (category, Counts { mapped, agreed, unmapped, reasons }) in &counts {
+        println!("{category}: {mapped} mapped, {agreed} agree, {unmapped} not ours {reasons:?}");
+    }
     assert!(wrong.is_empty(), "{} cases differ\n{}", wrong.len(), wrong.join("\n"));
     assert!(agreed * 2 > cases.len(), "{agreed} of {} cases are tried", cases.len());
 }
