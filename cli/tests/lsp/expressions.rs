@@ -116,10 +116,8 @@ fn names_in_a_text_lead_to_where_they_are_given() {
         let answer = editor.at_bar("textDocument/definition", &bar(nth, what));
         assert_eq!((answer["uri"].as_str(), line(&answer)), (Some(URI), Some(given)), "{what}");
     }
-    for function in ["point"] {
-        let answer = editor.at_bar("textDocument/prepareRename", &bar(0, function));
-        assert!(answer.is_null(), "{function}");
-    }
+    let of_a_node = editor.at_bar("textDocument/prepareRename", &bar(0, "point"));
+    assert!(of_a_node.is_null(), "an output of a node is renamed");
     // `grain`: its key, the text of `half`, and what `é` is; `half` is two names.
     for (nth, what, marks) in
         [(0, "* grain", 3), (0, "tint * half", 2), (0, "point * half", 2), (0, "* tint", 2)]

@@ -66,8 +66,7 @@ fn read_output<'d>(
 /// Whether it is what should stand under `from`.
 fn is_bare(value: &Value) -> bool {
     let has = |key: &&str| value.get(key).is_some();
-    ["node", "interface", "expression"].iter().any(has)
-        && !["type", "from"].iter().any(|key| has(key))
+    ["node", "interface", "expression"].iter().any(has) && !["type", "from"].iter().any(has)
 }
 
 /// The outputs with their values, the types checked.

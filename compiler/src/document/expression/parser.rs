@@ -85,14 +85,14 @@ impl<'t> Parser<'t> {
                 }
                 Err(Unknown { mistake, meant: Some((token, span)) }) => {
                     (self.token, self.span) = (token, span);
-                    self.tell(mistake);
+                    self.tell(*mistake);
                     return;
                 }
                 Err(Unknown { mistake, meant: None }) => {
                     at = mistake.span.end;
                     self.span = mistake.span.clone();
                     if !std::mem::replace(&mut passed, true) {
-                        self.tell(mistake);
+                        self.tell(*mistake);
                     }
                 }
             }

@@ -50,14 +50,14 @@ const FOREIGN: [(&str, &str, &str); 7] = [
 /// What is no token.
 pub(super) struct Unknown {
     /// Why it is none.
-    pub mistake: Mistake,
+    pub mistake: Box<Mistake>,
     /// The token that is meant, where one is, with its place.
     pub meant: Option<(Token, Span)>,
 }
 
 impl From<Mistake> for Unknown {
     fn from(mistake: Mistake) -> Self {
-        Self { mistake, meant: None }
+        Self { mistake: mistake.into(), meant: None }
     }
 }
 
@@ -117,13 +117,13 @@ pub(super) fn next(text: &str, at: usize) -> Result<(Token, Span), Unknown> {
 /// What others write for a sign.
 fn foreign(span: Span, message: &str, ours: &'static str) -> Unknown {
     let meant = Some((Token::Sign(ours), span.clone()));
-    Unknown { mistake: Mistake::mended(span, message, ours), meant }
+    Unknown { mistake: Mistake::mended(span, message, ours).into(), meant }
 }
 
 /// What is meant as some number.
 fn no_number(span: Span, message: String, help: &str) -> Unknown {
     let meant = Some((Token::Number("1".into()), span.clone()));
-    Unknown { mistake: Mistake::new(span, message, help), meant }
+    Unknown { mistake: Mistake::new(span, message, help).into(), meant }
 }
 
 fn is_of_name(c: char) -> bool {
@@ -184,5 +184,5 @@ fn quoted(rest: &str, start: usize, quote: char) -> Result<(Token, Span), Unknow
     let mistake = Mistake::new(start..start + 1, "this text has no closing quote", help);
     // All that follows may be meant as a part of it.
     let meant = Some((Token::Text(rest[1..].into()), start..start + rest.len()));
-    Err(Unknown { mistake, meant })
+    Err(Unknown { mistake: mistake.into(), meant })
 }

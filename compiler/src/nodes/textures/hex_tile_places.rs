@@ -28,7 +28,7 @@ node! {
         /// Pictures per unit; x and y count.
         tiling: vector = [1.0; 3], in FACTOR;
         /// How far a hexagon is turned at most, either way, in radians; 0 for pictures with a grain.
-        rotation: scalar = 3.1415927, in FACTOR, unit "radians";
+        rotation: scalar = std::f64::consts::PI, in FACTOR, unit "radians";
         /// Least size of a picture.
         size_low: scalar = 1.0, in 1e-6..=1e6;
         /// Largest size of a picture.
