@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::storage::Lanes;
+use crate::storage::{LANES, Lanes};
 use crate::values::Type;
 
 use super::held::Held;
@@ -89,6 +89,15 @@ macro_rules! fields {
                 })+ }
             }
 
+            /// Writes its words of one state into all lanes; false for those that no state holds.
+            #[inline]
+            pub fn spread(self, state: &State, lanes: &mut [Lanes]) -> bool {
+                match self { $(Field::$variant => {
+                    const WIDTH: usize = Field::$variant.value_type().width();
+                    fields!(@spread $how $place, WIDTH, state, lanes)
+                })+ }
+            }
+
             /// Sets the field from its words; those that no state holds are not kept.
             #[inline]
             pub fn write(self, state: &mut State, words: &[u32]) {
@@ -131,6 +140,18 @@ macro_rules! fields {
     };
     (@gather $how:ident $place:tt, $width:ident, $states:ident, $lanes:ident) => {{
         let _: usize = $width;
+    }};
+    (@spread held ($($place:tt)+), $width:ident, $state:ident, $lanes:ident) => {{
+        let mut words = [0; $width];
+        $state.$($place)+.read(&mut words);
+        for (lanes, word) in $lanes[..$width].iter_mut().zip(words) {
+            *lanes = Lanes([word; LANES]);
+        }
+        true
+    }};
+    (@spread $how:ident $place:tt, $width:ident, $state:ident, $lanes:ident) => {{
+        let _: usize = $width;
+        false
     }};
     (@write held ($($place:tt)+), $state:ident, $words:ident) => { $state.$($place)+.write($words) };
     (@write $how:ident $place:tt, $state:ident, $words:ident) => { () };
@@ -273,7 +294,6 @@ impl Field {
 mod tests {
     use super::super::ray_type::RayType;
     use super::*;
-    use crate::storage::LANES;
 
     #[test]
     fn numbers_of_ray_types_lead_back_and_the_field_tells_them() {
@@ -317,6 +337,11 @@ mod tests {
                     assert_eq!(lanes.0[..3], [words[at], other[at], 7], "{field:?}");
                 }
             }
+            let mut lanes = [Lanes([7; LANES]); Field::MOST_WORDS];
+            assert_eq!(field.spread(&state, &mut lanes), field.of_point(), "{field:?}");
+            let spread = if field.of_point() { words.clone() } else { vec![7; words.len()] };
+            let all = spread.iter().map(|word| [*word; LANES]).chain(std::iter::repeat([7; LANES]));
+            assert!(lanes.iter().map(|lanes| lanes.0).zip(all).all(|(is, should)| is == should));
             assert!(words.len() <= Field::MOST_WORDS);
         }
     }

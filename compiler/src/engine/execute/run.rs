@@ -273,6 +273,9 @@ impl Run<'_> {
 /// All lanes do as the only point does, each word written at once: a row written lane by lane would be waited
 /// for when it is read.
 fn all_of_one(objects: Objects<'_>, field: Field, state: &State, lanes: &mut [Lanes]) {
+    if field.spread(state, lanes) {
+        return;
+    }
     let mut words = [0; Field::MOST_WORDS];
     objects.read(field, state, &mut words);
     for (lanes, word) in lanes.iter_mut().zip(words) {
