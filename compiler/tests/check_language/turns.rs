@@ -150,7 +150,7 @@ fn mistakes_of_all_turns_are_told_once() {
     let of = |nodes: &str| {
         let files = [("a.json", &*with("", nodes)), ("turn.json", TURN), ("digit.json", DIGIT)];
         let findings = check_files(&files).findings;
-        let told = findings.iter().map(|it| (it.code, it.message.clone()));
+        let told = findings.iter().map(|it| (it.code, it.place.start, it.message.clone()));
         told.collect::<Vec<_>>()
     };
     let twice = of(
@@ -163,6 +163,8 @@ fn mistakes_of_all_turns_are_told_once() {
         r#""all": { "type": { "map": { "file": "turn.json" } }, "inputs": { "over": [1, [1, 2], true] } },
            "shade": { "type": "sum", "inputs": { "values": { "node": "all" } } }"#,
     );
+    // Turns are called as the map is: which of them it is, the place tells.
     assert_eq!(second.len(), 2, "{second:?}");
-    assert!(second[0].1.contains("`all[1]`") && second[1].1.contains("`all[2]`"), "{second:?}");
+    assert!(second.iter().all(|told| told.2.contains("of node `all`")), "{second:?}");
+    assert!(second[0].1 < second[1].1, "{second:?}");
 }

@@ -39,3 +39,8 @@ pub const ACCUMULATED: &str = "accumulated";
 pub fn form_of(node_type: &Value) -> Option<(Form, &Value)> {
     Form::ALL.into_iter().find_map(|form| Some((form, node_type.get(form.name())?)))
 }
+
+/// The name in the file of a node that is a turn.
+pub fn written_name(turn: &str) -> &str {
+    turn.rfind('[').map_or(turn, |at| &turn[..at])
+}

@@ -7,6 +7,7 @@ mod repeats;
 mod unrolled;
 mod uses;
 
-pub(super) use unrolled::{is_implied, unroll, written_name};
+pub(super) use form::written_name;
+pub(super) use unrolled::{is_implied, unroll};
 
 pub use form::{ACCUMULATED, Form, INDEX, INITIAL, ITEM, OVER, form_of};

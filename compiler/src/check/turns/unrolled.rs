@@ -7,7 +7,7 @@ use crate::diagnostics::Finding;
 use crate::document::{Document, Member, Value, ValueKind};
 use crate::nodes::NodeLibrary;
 
-use super::form::{ACCUMULATED, Form, INDEX, ITEM, OVER, form_of};
+use super::form::{ACCUMULATED, Form, INDEX, ITEM, OVER, form_of, written_name};
 use super::repeats::{Left, Repeat, Repeats};
 use super::uses::{self, inputs_written_out, with_value, written_out};
 
@@ -35,11 +35,6 @@ pub fn is_implied(document: &Document, member: &Member) -> bool {
                 || [ITEM, INDEX, ACCUMULATED].contains(&member.key.as_str())
                     && written != member.key
         })
-}
-
-/// The name in the file of a node that is a turn.
-pub fn written_name(turn: &str) -> &str {
-    turn.rfind('[').map_or(turn, |at| &turn[..at])
 }
 
 fn has_turns(phenomenon: &Value) -> bool {
