@@ -10,6 +10,7 @@ use crate::document::{Member, Reader, Value, ValueKind};
 use super::limits::{MAX_INNER, MAX_NODES};
 use super::names::check_key;
 use super::nested::Nested;
+use super::turns::form_of;
 
 /// The file, and all phenomena that stand in it.
 pub(super) struct Inner<'d> {
@@ -107,8 +108,8 @@ impl<'d> Inner<'d> {
                 continue;
             };
             // A turn that could not be written out was told too.
-            let turned = ["map", "fold"].iter().filter_map(|form| inner_of(value.get(form)?));
-            named.extend(turned.filter_map(|name| self.position(at, name)));
+            let turned = form_of(value).and_then(|(_, body)| inner_of(body));
+            named.extend(turned.and_then(|name| self.position(at, name)));
             if let ValueKind::String(name) = &value.kind {
                 named.extend(self.position(at, name));
             }

@@ -15,7 +15,7 @@ use super::names::check_key_as;
 use super::reachable::file_of;
 use super::references::quoted;
 use super::shape::Shape;
-use super::turns::{self, form_of, is_implied, written_name};
+use super::turns::{self, Form, form_of, is_implied, written_name};
 use super::{compounds, sources};
 
 /// Reads all nodes, then their inputs, which may name any of them. None where there are too many.
@@ -107,8 +107,10 @@ fn type_as_key(
     node: &Member,
     unknown: &[&Member],
 ) -> bool {
-    const FORMS: [&str; 5] = ["expression", "phenomenon", "file", "map", "fold"];
-    let Some(key) = unknown.iter().find(|member| FORMS.contains(&member.key.as_str())) else {
+    let says_what_it_is = |key: &str| {
+        ["expression", "phenomenon", "file"].contains(&key) || Form::of_name(key).is_some()
+    };
+    let Some(key) = unknown.iter().find(|member| says_what_it_is(&member.key)) else {
         return false;
     };
     // What it names or connects is not looked at where it stands.
@@ -233,7 +235,7 @@ fn read_type<'d>(reader: &mut Reader<'d>, value: &'d Value, draft: &Draft<'d>) -
                 let form = format!("{{ \"phenomenon\": {} }}", quoted(name));
                 Advice { help: format!("write `{}`", shortened(&form)), fix: Some(form) }
             }
-            false if matches!(name, "map" | "fold") => Advice::from(format!(
+            false if Form::of_name(name).is_some() => Advice::from(format!(
                 "write `{{ \"{name}\": {{ \"file\": … }} }}`, or `\"phenomenon\"` for one in this file"
             )),
             false => reader.advice(name, names.iter().copied(), synonym, || {

@@ -169,7 +169,7 @@ fn finding(
         false => format!("its lights are {}", listed(names())),
     });
     let graph = &graph.name;
-    let message = format!("`{graph}` asks for the light `{name}`, which the scene does not have");
+    let message = format!("`{graph}` names the light `{name}`, which the scene does not have");
     let own = place.as_ref().is_some_and(|place| place.file == material.place.file);
     let elsewhere = place.is_some() && !own;
     let place = place.unwrap_or_else(|| material.place.clone());

@@ -17,6 +17,15 @@ pub const OUTER_ANGLES: RangeInclusive<f64> = 1e-3..=180.0;
 
 const EXTENT: Kind = Kind::Number(EXTENTS);
 
+const MIDDLE: Key = measured("position", VECTOR, Given::Required, SCENE_UNITS, "Its middle");
+
+const FACING: Key = key(
+    "direction",
+    VECTOR,
+    Given::Required,
+    "Where it shines, square to itself, of any length but 0",
+);
+
 const SAMPLES: Key = key(
     "samples",
     Kind::Whole(*LIGHT_SAMPLES.start() as i128..=*LIGHT_SAMPLES.end() as i128),
@@ -123,13 +132,8 @@ pub static RECTANGLE_LIGHT: Section = Section {
     name: "rectangle_light",
     what: "a rectangle light",
     keys: &[
-        measured("position", VECTOR, Given::Required, SCENE_UNITS, "Its middle"),
-        key(
-            "direction",
-            VECTOR,
-            Given::Required,
-            "Where it shines, square to itself, of any length but 0",
-        ),
+        MIDDLE,
+        FACING,
         key(
             "up",
             VECTOR,
@@ -148,13 +152,8 @@ pub static DISC: Section = Section {
     name: "disc",
     what: "a disc light",
     keys: &[
-        measured("position", VECTOR, Given::Required, SCENE_UNITS, "Its middle"),
-        key(
-            "direction",
-            VECTOR,
-            Given::Required,
-            "Where it shines, square to itself, of any length but 0",
-        ),
+        MIDDLE,
+        FACING,
         measured("radius", EXTENT, Given::Required, SCENE_UNITS, "Its radius"),
         SAMPLES,
     ],
@@ -166,7 +165,7 @@ pub static SPHERE_LIGHT: Section = Section {
     name: "sphere_light",
     what: "a sphere light",
     keys: &[
-        measured("position", VECTOR, Given::Required, SCENE_UNITS, "Its middle"),
+        MIDDLE,
         measured("radius", EXTENT, Given::Required, SCENE_UNITS, "Its radius"),
         SAMPLES,
     ],

@@ -15,6 +15,11 @@ impl Form {
     /// All there are.
     pub const ALL: [Form; 2] = [Form::Map, Form::Fold];
 
+    /// The one of this name.
+    pub fn of_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|form| form.name() == name)
+    }
+
     /// The key of it in the type of a node.
     pub const fn name(self) -> &'static str {
         match self {
