@@ -1,4 +1,5 @@
-//! Every shipped graph and its monolith: the same colours to within rounding, the same requests.
+//! Every shipped graph and its monolith: the same colours to within rounding and the same requests, and over
+//! the compiler's arithmetic the same bits of both.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -12,23 +13,75 @@ use phenomenon_compiler::effects::{
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_compiler::state::{RayType, State};
+use phenomenon_compiler::state::{Footprint, Object, Objects, Place, RayType, State, Surface};
 use phenomenon_compiler::testing::random::Random;
 use phenomenon_compiler::values::Literal;
-use phenomenon_runtime::monoliths::{NAMES, find};
+use phenomenon_runtime::monoliths::{NAMES, find, find_same_bits};
 
-/// A renderer whose answers change smoothly with what is asked, and which counts requests.
+/// A renderer whose answers change smoothly with what is asked, and which keeps requests.
 #[derive(Default)]
 struct Mock {
-    requests: BTreeMap<Effect, usize>,
+    place: Place,
+    asked: Vec<(Effect, u64, [u32; 3])>,
+}
+
+impl Mock {
+    /// On an object that is turned, scaled and moved, with a surface that is not square.
+    fn new() -> Self {
+        let to_world = glam::Mat4::from_scale_rotation_translation(
+            glam::Vec3::new(2.0, 1.0, 0.5),
+            glam::Quat::from_euler(glam::EulerRot::XYZ, 0.4, -1.1, 2.0),
+            glam::Vec3::new(0.3, -0.2, 4.0),
+        );
+        let object = Object {
+            to_world: to_world.to_cols_array(),
+            to_object: to_world.inverse().to_cols_array(),
+            ..Object::at(0)
+        };
+        let footprint = Footprint {
+            point: [[0.01, 0.002, -0.03], [0.004, -0.02, 0.005]],
+            uv: [[0.01, 0.001], [-0.002, 0.03]],
+        };
+        let surface = Surface {
+            derivative_u: [0.9, 0.3, -0.4],
+            derivative_v: [-0.2, 0.7, 0.1],
+            footprint,
+            ..Surface::default()
+        };
+        Self { place: Place { object, surface, ..Place::default() }, asked: Vec::new() }
+    }
+
+    /// How often each effect was asked for.
+    fn requests(&self) -> BTreeMap<Effect, usize> {
+        let mut requests = BTreeMap::new();
+        for (effect, ..) in &self.asked {
+            *requests.entry(*effect).or_default() += 1;
+        }
+        requests
+    }
+
+    /// What was asked, and where, in whatever order.
+    fn sites(&self) -> Vec<(Effect, u64)> {
+        let mut sites: Vec<_> =
+            self.asked.iter().map(|(effect, site, _)| (*effect, *site)).collect();
+        sites.sort_unstable();
+        sites
+    }
+
+    /// The same with every bit of what was asked.
+    fn sorted(&self) -> Vec<(Effect, u64, [u32; 3])> {
+        let mut asked = self.asked.clone();
+        asked.sort_unstable();
+        asked
+    }
 }
 
 const LIGHTS: [[f32; 3]; 3] = [[0.6, 0.8, 0.0], [0.0, 0.6, -0.8], [-0.48, -0.6, 0.64]];
 
 impl Renderer for Mock {
     fn trace(&mut self, trace: Trace, states: &[State], rays: &[Ray], answers: &mut [Answer]) {
-        *self.requests.entry(trace.into()).or_default() += rays.len();
         for (ray, answer) in rays.iter().zip(answers) {
+            self.asked.push((trace.into(), ray.site, ray.direction.map(f32::to_bits)));
             let path = states[ray.point as usize].path;
             let [x, y, z] = ray.direction.map(|component| 0.5 + 0.5 * component);
             let probe = trace == Trace::Probe;
@@ -40,6 +93,10 @@ impl Renderer for Mock {
                 distance: if path.is_multiple_of(5) { 0.0 } else { 2.0 + 3.0 * x },
             };
         }
+    }
+
+    fn objects(&self) -> Objects<'_> {
+        Objects::of_place(&self.place)
     }
 
     fn light_list(&mut self, names: &[String], _: LightMode) -> LightList {
@@ -66,7 +123,8 @@ impl Renderer for Mock {
     }
 
     fn light_colors(&mut self, points: Points<'_>, tokens: &[u64], colors: &mut [[f32; 3]]) {
-        *self.requests.entry(Effect::LightColor).or_default() += points.len();
+        let asked = tokens.iter().map(|token| (Effect::LightColor, *token, [0; 3]));
+        self.asked.extend(asked.take(points.len()));
         for (token, color) in tokens.iter().zip(colors) {
             *color = [1.0 + *token as f32, 0.5, 0.25];
         }
@@ -114,6 +172,8 @@ fn points(ray_type: RayType) -> Vec<State> {
                 point,
                 inv_normal: number % 3 == 1,
                 ior_in: if number % 7 == 0 { 1.2 } else { 0.0 },
+                uv: [random.unit(), random.unit()],
+                reflection_level: i32::from(number % 4 == 1),
                 path: number,
                 ray_type,
                 ..State::default()
@@ -151,11 +211,16 @@ fn shipped(name: &str) -> Arc<Graph> {
     Arc::new(read(&path, &NodeLibrary::standard()))
 }
 
-/// Shades point by point in both, and compares.
+/// How far the results may be apart, of 1 and more in proportion.
+const ROUNDING: f32 = 2e-4;
+
+/// Shades point by point in the graph and in both monoliths, and compares.
 fn compare(name: &str, overrides: &[(String, Literal)]) -> BTreeMap<Effect, usize> {
     let options = Options { engine: Engine::Walk, ..Options::default() };
     let shader = Shader::new(shipped(name), overrides, options).expect("the graph compiles");
-    let monolith = find(name, overrides).expect("it has a monolith").expect("it takes them");
+    let taken = |found: Option<Result<_, _>>| found.expect("it is there").expect("it takes them");
+    let monolith: Box<dyn Shade> = taken(find(name, overrides));
+    let same_bits: Box<dyn Shade> = taken(find_same_bits(name, overrides));
     let mut total = BTreeMap::new();
     for root in RootKind::ALL {
         assert_eq!(shader.has_root(root), monolith.has_root(root), "{name} {root:?}");
@@ -170,18 +235,27 @@ fn compare(name: &str, overrides: &[(String, Literal)]) -> BTreeMap<Effect, usiz
         };
         let declared = monolith.effects(root);
         for point in points(ray_type) {
-            let (mut composed, mut by_hand) = (Mock::default(), Mock::default());
-            let mut results = [Shaded::default(); 2];
-            shader.shade(root, &[point], &mut composed, &mut results[..1]);
-            monolith.shade(root, &[point], &mut by_hand, &mut results[1..]);
-            assert_eq!(composed.requests, by_hand.requests, "{name} {root:?} {point:?}");
-            assert!(by_hand.requests.keys().all(|effect| declared.contains(*effect)), "{name}");
-            assert_eq!(results[0].ok, results[1].ok);
-            for (a, b) in results[0].color.iter().zip(results[1].color) {
-                let error = (a - b).abs();
-                assert!(error <= 2e-4 * (1.0 + a.abs()), "{name} {root:?} {results:?} {point:?}");
+            let asked = [&shader as &dyn Shade, &*monolith, &*same_bits].map(|of| {
+                let (mut renderer, mut result) = (Mock::new(), [Shaded::default()]);
+                of.shade(root, &[point], &mut renderer, &mut result);
+                (renderer, result[0])
+            });
+            let [(composed, expected), (by_hand, near), (by_same, same)] = asked;
+            let what = format!("{name} {root:?} {overrides:?} {point:?}");
+            assert_eq!(composed.sites(), by_hand.sites(), "{what}");
+            let requests = composed.requests();
+            assert!(requests.keys().all(|effect| declared.contains(*effect)), "{what}");
+            assert_eq!(expected.ok, near.ok, "{what}");
+            for (a, b) in expected.color.iter().zip(near.color) {
+                assert!(
+                    (a - b).abs() <= ROUNDING * (1.0 + a.abs()),
+                    "{expected:?} {near:?} {what}"
+                );
             }
-            for (effect, count) in composed.requests {
+            assert_eq!(composed.sorted(), by_same.sorted(), "{what}");
+            let bits = |shaded: Shaded| (shaded.color.map(f32::to_bits), shaded.ok);
+            assert_eq!(bits(expected), bits(same), "{expected:?} {same:?} {what}");
+            for (effect, count) in requests {
                 *total.entry(effect).or_default() += count;
             }
         }
@@ -216,9 +290,14 @@ fn every_monolith_has_a_shipped_graph_with_its_parameters() {
 }
 
 #[test]
-fn defaults_agree() {
+fn defaults_and_presets_agree() {
     for name in NAMES {
         compare(name, &[]);
+        for preset in &shipped(name).presets {
+            if !preset.values.is_empty() {
+                compare(name, &preset.values);
+            }
+        }
     }
 }
 

@@ -4,15 +4,10 @@
 use crate::effects::{
     Answer, Asked, Effect, Lookup, Points, Ray, Renderer, Sampling, TextureId, Trace,
 };
-use crate::specialise::{Subject, mix_key};
+use crate::specialise::Subject;
 use crate::state::State;
 
 use super::links::Linked;
-
-/// The key of a request with one more loop round it.
-pub(super) fn iteration_key(key: u64, iteration: usize) -> u64 {
-    mix_key(key ^ mix_key(iteration as u64 + 1))
-}
 
 /// What is asked, for all points alike.
 #[derive(Clone, Copy, Debug)]

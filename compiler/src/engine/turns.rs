@@ -2,7 +2,7 @@
 
 use super::requests::asking;
 use crate::effects::{LightList, LightSample, Renderer};
-use crate::specialise::mix_key;
+use crate::specialise::drawn;
 use crate::state::{MOST_TURNS, State};
 
 /// A turn of a loop, for all points alike.
@@ -80,7 +80,7 @@ impl Turning {
 
     fn sample(&mut self, number: usize, key: u64) {
         for &(path, count) in &self.paths {
-            let [u, v] = drawn(mix_key(path ^ key));
+            let [u, v] = drawn(path, key);
             self.words.extend([number as u32, u.to_bits(), v.to_bits()]);
             self.reached.push(number < count);
             self.tokens.push(0);
@@ -88,21 +88,9 @@ impl Turning {
     }
 }
 
-/// Two numbers of 24 bits each, from 0 to below 1.
-fn drawn(key: u64) -> [f32; 2] {
-    [key >> 40, key >> 16 & 0xff_ffff].map(|bits| bits as f32 / 16_777_216.0)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_are_drawn_below_one() {
-        assert_eq!(drawn(u64::MAX), [1.0 - 2.0_f32.powi(-24); 2]);
-        assert_eq!(drawn(0xffff), [0.0, 0.0]);
-        assert_eq!(drawn(1 << 63 | 1 << 39), [0.5, 0.5]);
-    }
 
     #[test]
     fn no_loop_is_endless() {

@@ -20,6 +20,6 @@ pub use ids::{EpochId, InstanceId, LightListId, LightTableId, TexturePosition};
 pub use instances::{
     Context, Demand, Guard, Instance, InstanceKind, LightTable, Specialised, Subject, Turns,
 };
-pub use keys::mix_key;
+pub use keys::{drawn, iteration_key, mix_key, site};
 pub use uniforms::Uniforms;
 pub use verify::verify;

@@ -4,16 +4,16 @@ use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
 
+use super::arithmetic::Arithmetic;
 use super::asking::Asking;
-use super::optics::{filtered, fresnel, fresnel_at, media, reflect, refract};
+use super::optics::{filtered, fresnel, reflect, refract};
 use super::pointwise::{Parameter, PointShader};
+use super::site::Site;
 
-/// Request site of the reflection ray; the environment in its stead is one above.
-const MIRROR: u64 = 0x676c_6173_7300;
-/// Request site of the refraction ray; the environment in its stead is one above.
-const THROUGH: u64 = MIRROR + 2;
-/// Request site of the probe of thickness.
-const PROBE: u64 = MIRROR + 4;
+const MIRROR: [Site; 2] = [Site::of("mirror"), Site::of("mirror_sky")];
+const THROUGH: [Site; 2] = [Site::of("through"), Site::of("through_sky")];
+const AHEAD: Site = Site::of("ahead");
+const BEHIND: Site = Site::of("behind");
 
 /// `graphs/glass/advanced_glass.json` by hand.
 #[derive(Clone, Debug)]
@@ -68,82 +68,86 @@ impl PointShader for AdvancedGlass {
         })
     }
 
-    fn shade_point(&self, root: RootKind, point: &State, asking: &mut Asking<'_>) -> Shaded {
+    #[inline(always)]
+    fn shade_point<A: Arithmetic>(
+        &self,
+        root: RootKind,
+        point: &State,
+        asking: &mut Asking<'_>,
+    ) -> Shaded {
         let color = match root {
-            RootKind::Shadow => self.shadow(point, asking),
-            _ => self.material(point, asking),
+            RootKind::Shadow => self.shadow::<A>(point, asking),
+            _ => self.material::<A>(point, asking),
         };
         Shaded { color: color.into(), ok: true }
     }
 }
 
 impl AdvancedGlass {
-    fn material(&self, point: &State, asking: &mut Asking<'_>) -> Vec4 {
-        let entering = !point.inv_normal;
-        let (n1, n2) = media(point, self.ior);
+    #[inline(always)]
+    fn material<A: Arithmetic>(&self, point: &State, asking: &mut Asking<'_>) -> Vec4 {
         // Inside, only total reflection is followed.
-        let mirror_share = if entering { fresnel(n1, n2, -point.dot_nd) } else { 0.0 };
-        let mut color = Vec4::ZERO;
+        let mirror_share = if point.inv_normal { 0.0 } else { fresnel::<A>(point, self.ior) };
+        let (mut inner, mut mirrored) = (Vec4::ZERO, Vec4::ZERO);
         if mirror_share != 1.0 {
-            color = self.inner(point, n1, n2, asking) * (1.0 - mirror_share);
+            inner = self.inner::<A>(point, asking);
         }
         if mirror_share != 0.0 {
-            let mirrored = asking.see(Trace::Reflection, point, reflect(point), MIRROR);
-            color += mirrored * mirror_share;
+            mirrored = asking.see_or_sky(Trace::Reflection, point, reflect::<A>(point), MIRROR);
         }
-        color
+        A::mix(inner, mirrored, mirror_share)
     }
 
     /// What comes from behind the surface.
-    fn inner(&self, point: &State, n1: f32, n2: f32, asking: &mut Asking<'_>) -> Vec4 {
+    #[inline(always)]
+    fn inner<A: Arithmetic>(&self, point: &State, asking: &mut Asking<'_>) -> Vec4 {
         let entering = !point.inv_normal;
-        let (direction, total) = refract(point, n1, n2);
-        let mut tint = Vec3::ONE;
-        let mut body_share = 0.0;
+        let (direction, total) = refract::<A>(point, self.ior);
+        let (mut tint, mut body_share) = (Vec3::ONE, 0.0);
         if entering || total {
-            let share = self.depth_share(point, direction, asking);
-            tint = self.passed(share);
-            if entering {
-                body_share = self.cloud(share);
-            }
+            let share = self.depth_share::<A>(point, direction, AHEAD, asking);
+            tint = self.passed::<A>(share);
+            body_share = if entering { A::mix(self.opacity, 1.0, share) } else { 0.0 };
         }
-        let mut color = Vec4::ZERO;
+        let (mut seen, mut body) = (Vec4::ZERO, Vec4::ZERO);
         if body_share != 1.0 {
-            let seen = asking.see(Trace::Refraction, point, direction, THROUGH);
-            color = filtered(seen, tint) * (1.0 - body_share);
+            seen = asking.see_or_sky(Trace::Refraction, point, direction, THROUGH);
+            seen = filtered(seen, tint);
         }
         if body_share != 0.0 {
-            color += (tint * asking.diffuse(point)).extend(1.0) * body_share;
+            body = asking.matt::<A>(point, tint).extend(1.0);
         }
-        color
+        A::mix(seen, body, body_share)
     }
 
     /// Light is dimmed where it enters; the far side takes nothing away again.
-    fn shadow(&self, point: &State, asking: &mut Asking<'_>) -> Vec4 {
+    #[inline(always)]
+    fn shadow<A: Arithmetic>(&self, point: &State, asking: &mut Asking<'_>) -> Vec4 {
         if point.inv_normal {
             return Vec4::ONE;
         }
-        let share = self.depth_share(point, Vec3::from(point.direction), asking);
-        let clear = (1.0 - self.cloud(share)) * (1.0 - fresnel_at(point, self.ior));
-        (self.passed(share) * clear).extend(self.surface_color.w)
+        let share = self.depth_share::<A>(point, point.direction.into(), BEHIND, asking);
+        let clear = 1.0 - A::mix(self.opacity, 1.0, share);
+        let passed = self.passed::<A>(share) * (clear * (1.0 - fresnel::<A>(point, self.ior)));
+        passed.extend(self.surface_color.w)
     }
 
     /// Length of the way through the glass, as a share of the full depth.
-    fn depth_share(&self, point: &State, direction: Vec3, asking: &mut Asking<'_>) -> f32 {
-        let thickness = asking.trace(Trace::Probe, point, direction, PROBE).distance;
-        if self.depth == 0.0 {
-            return if thickness > 0.0 { 1.0 } else { 0.0 };
-        }
-        (thickness / self.depth).clamp(0.0, 1.0)
+    #[inline(always)]
+    fn depth_share<A: Arithmetic>(
+        &self,
+        point: &State,
+        direction: Vec3,
+        site: Site,
+        asking: &mut Asking<'_>,
+    ) -> f32 {
+        let thickness = asking.trace(Trace::Probe, point, direction, site).distance;
+        A::share(thickness, self.depth)
     }
 
     /// Beer's law: what is left of the light falls geometrically.
-    fn passed(&self, share: f32) -> Vec3 {
-        self.surface_color.truncate() * self.depth_color.truncate().powf(share)
-    }
-
-    /// From the least opacity to 1 at full depth.
-    fn cloud(&self, share: f32) -> f32 {
-        self.opacity * (1.0 - share) + share
+    #[inline(always)]
+    fn passed<A: Arithmetic>(&self, share: f32) -> Vec3 {
+        self.surface_color.truncate() * A::powers(self.depth_color.truncate(), share)
     }
 }

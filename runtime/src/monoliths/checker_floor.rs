@@ -4,6 +4,7 @@ use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
 
+use super::arithmetic::Arithmetic;
 use super::asking::Asking;
 use super::pointwise::{Parameter, PointShader};
 
@@ -45,11 +46,18 @@ impl PointShader for CheckerFloor {
         })
     }
 
-    fn shade_point(&self, _: RootKind, point: &State, asking: &mut Asking<'_>) -> Shaded {
+    #[inline(always)]
+    fn shade_point<A: Arithmetic>(
+        &self,
+        _: RootKind,
+        point: &State,
+        asking: &mut Asking<'_>,
+    ) -> Shaded {
         let [x, _, z] = point.point;
         let steps = (x / self.size).floor() + (z / self.size).floor();
         let tile = if steps.rem_euclid(2.0) == 0.0 { self.light } else { self.dark };
-        let light = self.ambient.xyz() + asking.diffuse(point);
-        Shaded { color: (tile.xyz() * light).extend(tile.w).into(), ok: true }
+        let lit = asking.matt::<A>(point, tile.xyz());
+        let color = tile.xyz() * self.ambient.xyz() + lit;
+        Shaded { color: color.extend(tile.w).into(), ok: true }
     }
 }

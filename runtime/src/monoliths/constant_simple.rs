@@ -4,6 +4,7 @@ use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::{RayType, State};
 
+use super::arithmetic::Arithmetic;
 use super::asking::Asking;
 use super::pointwise::{Parameter, PointShader};
 
@@ -30,7 +31,8 @@ impl PointShader for ConstantSimple {
         }
     }
 
-    fn shade_point(&self, _: RootKind, point: &State, _: &mut Asking<'_>) -> Shaded {
+    #[inline(always)]
+    fn shade_point<A: Arithmetic>(&self, _: RootKind, point: &State, _: &mut Asking<'_>) -> Shaded {
         let ok = !matches!(point.ray_type, RayType::Shadow | RayType::Displace);
         Shaded { color: self.color.into(), ok }
     }

@@ -4,6 +4,7 @@ use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
 
+use super::arithmetic::Arithmetic;
 use super::asking::Asking;
 use super::pointwise::{Parameter, PointShader};
 
@@ -52,22 +53,14 @@ impl PointShader for GradientSky {
         })
     }
 
-    fn shade_point(&self, _: RootKind, point: &State, _: &mut Asking<'_>) -> Shaded {
+    #[inline(always)]
+    fn shade_point<A: Arithmetic>(&self, _: RootKind, point: &State, _: &mut Asking<'_>) -> Shaded {
         let direction = Vec3::from(point.direction);
         let rise = direction.y.clamp(0.0, 1.0).sqrt();
-        let near_sun = direction.dot(self.sun_direction.normalize_or_zero());
-        let sun = self.sun_color.xyz() * smooth_step(near_sun, self.sun_edge, 1.0);
-        let sky = self.horizon.lerp(self.zenith, rise) + sun.extend(0.0);
-        let above = smooth_step(direction.y, -0.04, 0.0);
-        Shaded { color: self.ground.lerp(sky, above).into(), ok: true }
+        let near_sun = A::dot(direction, A::normalised(self.sun_direction));
+        let sun = self.sun_color.xyz() * A::smooth_step(near_sun, self.sun_edge, 1.0);
+        let sky = A::mix(self.horizon, self.zenith, rise) + sun.extend(0.0);
+        let above = A::smooth_step(direction.y, -0.04, 0.0);
+        Shaded { color: A::mix(self.ground, sky, above).into(), ok: true }
     }
-}
-
-/// Smooth passage from 0 at `low` to 1 at `high`.
-fn smooth_step(x: f32, low: f32, high: f32) -> f32 {
-    if low == high {
-        return if x < low { 0.0 } else { 1.0 };
-    }
-    let t = ((x - low) / (high - low)).clamp(0.0, 1.0);
-    t * t * (3.0 - 2.0 * t)
 }

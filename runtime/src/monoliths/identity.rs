@@ -1,22 +1,56 @@
 //! Which graph a monolith was written for: it belongs to what the graph computes, not to its name.
 
 use std::collections::HashMap;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use phenomenon_compiler::check::check_graph;
-use phenomenon_compiler::document::read;
+use phenomenon_compiler::check::{Files, OnDisk, check_graph_with};
+use phenomenon_compiler::diagnostics::Finding;
+use phenomenon_compiler::document::{Document, read};
 use phenomenon_compiler::graph::{Binding, Graph};
 use phenomenon_compiler::nodes::{NodeLibrary, NodeType};
 
-/// The shipped graphs there are monoliths of, as they are built into the program.
-const SHIPPED: [(&str, &str); 6] = [
-    ("advanced_glass", include_str!("../../../graphs/glass/advanced_glass.json")),
-    ("checker_floor", include_str!("../../../graphs/floor/checker_floor.json")),
-    ("constant_simple", include_str!("../../../graphs/constant/constant_simple.json")),
-    ("gradient_sky", include_str!("../../../graphs/sky/gradient_sky.json")),
-    ("rainbow", include_str!("../../../graphs/rainbow/rainbow.json")),
-    ("tinted_mirror", include_str!("../../../graphs/mirror/tinted_mirror.json")),
+use super::library::NAMES;
+
+/// A graph file as it is built into the program: its path, and its text.
+macro_rules! built_in {
+    ($($path:literal),+ $(,)?) => {
+        [$(($path, include_str!(concat!("../../../", $path)))),+]
+    };
+}
+
+/// The shipped graphs there are monoliths of, in the order of their names.
+const SHIPPED: [(&str, &str); 6] = built_in![
+    "graphs/glass/advanced_glass.json",
+    "graphs/floor/checker_floor.json",
+    "graphs/constant/constant_simple.json",
+    "graphs/sky/gradient_sky.json",
+    "graphs/rainbow/rainbow.json",
+    "graphs/mirror/tinted_mirror.json",
 ];
+
+/// Those that they use.
+const USED: [(&str, &str); 1] = built_in!["graphs/snow/glitter.json"];
+
+/// The files that are built into the program, wherever it runs.
+struct BuiltIn;
+
+impl Files for BuiltIn {
+    fn read(&self, path: &Path) -> Result<Document, Box<Finding>> {
+        match USED.iter().find(|(used, _)| path == Path::new(used)) {
+            Some((name, text)) => read(name, text.as_bytes()),
+            None => OnDisk.read(path),
+        }
+    }
+
+    fn identity(&self, path: &Path) -> PathBuf {
+        path.to_owned()
+    }
+
+    fn unusable(&self, path: &Path) -> Option<String> {
+        OnDisk.unusable(path)
+    }
+}
 
 /// Why no monolith stands for a graph.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -59,9 +93,9 @@ fn shipped() -> &'static [(&'static str, Content)] {
     static KNOWN: OnceLock<Vec<(&'static str, Content)>> = OnceLock::new();
     KNOWN.get_or_init(|| {
         let library = NodeLibrary::standard();
-        let contents = SHIPPED.iter().filter_map(|(name, text)| {
-            let document = read(name, text.as_bytes()).ok()?;
-            let graph = check_graph(&document, &library).graph?;
+        let contents = NAMES.iter().zip(SHIPPED).filter_map(|(name, (path, text))| {
+            let document = read(path, text.as_bytes()).ok()?;
+            let graph = check_graph_with(&document, &library, &BuiltIn).graph?;
             Some((*name, Content::of(&graph)))
         });
         contents.collect()
@@ -142,25 +176,29 @@ impl Content {
 
 #[cfg(test)]
 mod tests {
-    use super::super::NAMES;
     use super::*;
 
     fn recognised(text: &str) -> Result<&'static str, String> {
         let library = NodeLibrary::standard();
-        let checked = check_graph(&read("a.json", text.as_bytes()).unwrap(), &library);
+        let document = read("graphs/folder/a.json", text.as_bytes()).unwrap();
+        let checked = check_graph_with(&document, &library, &BuiltIn);
         let graph = checked.graph.unwrap_or_else(|| panic!("{:?}", checked.findings));
         recognise(&graph).map_err(|error| error.to_string())
     }
 
     fn shipped_text(name: &str) -> &'static str {
-        SHIPPED.iter().find(|(shipped, _)| *shipped == name).unwrap().1
+        let at = NAMES.iter().position(|shipped| *shipped == name).unwrap();
+        SHIPPED[at].1
     }
 
     #[test]
     fn every_monolith_has_its_graph() {
-        assert_eq!(SHIPPED.map(|(name, _)| name), NAMES);
-        for (name, text) in SHIPPED {
-            assert_eq!(recognised(text), Ok(name));
+        assert_eq!(SHIPPED.len(), NAMES.len());
+        for (name, (path, text)) in NAMES.iter().zip(SHIPPED) {
+            assert!(path.ends_with(&format!("/{name}.json")), "{path}");
+            let document = read(path, text.as_bytes()).unwrap();
+            let checked = check_graph_with(&document, &NodeLibrary::standard(), &BuiltIn);
+            assert_eq!(recognise(&checked.graph.unwrap()), Ok(*name));
         }
     }
 

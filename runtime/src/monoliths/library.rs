@@ -3,6 +3,7 @@
 use phenomenon_compiler::engine::Shade;
 use phenomenon_compiler::values::{Literal, Type};
 
+use super::arithmetic::{Arithmetic, SameBits, Std};
 use super::pointwise::{Parameter, PointShader, Pointwise};
 use super::{AdvancedGlass, CheckerFloor, ConstantSimple, GradientSky, Rainbow, TintedMirror};
 
@@ -40,23 +41,40 @@ pub const NAMES: &[&str] = &[
 ];
 
 /// The monolith of the graph called `name`, with parameters set by name; none if there is no such
-/// monolith. Ranges are the graph's to enforce.
+/// monolith. Ranges are the graph's to enforce. It computes with the mathematics of std and glam, so results
+/// differ from the graph's by rounding.
 pub fn find(
     name: &str,
     overrides: &[(String, Literal)],
 ) -> Option<Result<Box<dyn Shade>, MonolithError>> {
+    found::<Std>(name, overrides)
+}
+
+/// The same over the compiler's arithmetic: results, and what is asked of the renderer, have the bits of
+/// the graph's.
+pub fn find_same_bits(
+    name: &str,
+    overrides: &[(String, Literal)],
+) -> Option<Result<Box<dyn Shade>, MonolithError>> {
+    found::<SameBits>(name, overrides)
+}
+
+fn found<A: Arithmetic>(
+    name: &str,
+    overrides: &[(String, Literal)],
+) -> Option<Result<Box<dyn Shade>, MonolithError>> {
     Some(match name {
-        "advanced_glass" => made::<AdvancedGlass>(name, overrides),
-        "checker_floor" => made::<CheckerFloor>(name, overrides),
-        "constant_simple" => made::<ConstantSimple>(name, overrides),
-        "gradient_sky" => made::<GradientSky>(name, overrides),
-        "rainbow" => made::<Rainbow>(name, overrides),
-        "tinted_mirror" => made::<TintedMirror>(name, overrides),
+        "advanced_glass" => made::<AdvancedGlass, A>(name, overrides),
+        "checker_floor" => made::<CheckerFloor, A>(name, overrides),
+        "constant_simple" => made::<ConstantSimple, A>(name, overrides),
+        "gradient_sky" => made::<GradientSky, A>(name, overrides),
+        "rainbow" => made::<Rainbow, A>(name, overrides),
+        "tinted_mirror" => made::<TintedMirror, A>(name, overrides),
         _ => return None,
     })
 }
 
-fn made<S: PointShader>(
+fn made<S: PointShader, A: Arithmetic>(
     name: &str,
     overrides: &[(String, Literal)],
 ) -> Result<Box<dyn Shade>, MonolithError> {
@@ -72,17 +90,19 @@ fn made<S: PointShader>(
             given: literal.value_type().name(),
         })?;
     }
-    Ok(Box::new(Pointwise(shader)))
+    Ok(Box::new(Pointwise::<S, A>::new(shader)))
 }
 
 fn set(slot: Parameter<'_>, literal: &Literal) -> Option<()> {
     let wanted = match slot {
         Parameter::Scalar(_) => Type::Scalar,
+        Parameter::Integer(_) => Type::Integer,
         Parameter::Color(_) => Type::Color,
         Parameter::Vector(_) => Type::Vector,
     };
     match (slot, literal.converted_to(wanted)?) {
         (Parameter::Scalar(slot), Literal::Scalar(value)) => *slot = value,
+        (Parameter::Integer(slot), Literal::Integer(value)) => *slot = value,
         (Parameter::Color(slot), Literal::Color(value)) => *slot = value.into(),
         (Parameter::Vector(slot), Literal::Vector(value)) => *slot = value.into(),
         _ => return None,

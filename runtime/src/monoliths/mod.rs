@@ -1,11 +1,13 @@
 //! The shipped phenomena written by hand, as an expert would in Rust: what composing a shader from
 //! nodes is measured against.
 //!
-//! They take one point after the other, use glam and std's mathematics, and ask the renderer for
-//! the same rays under the same conditions as the graphs. Results agree to within rounding. Their
-//! request sites are constants of their own, so random numbers below them differ from the graphs'.
+//! They take one point after the other, and ask the renderer for the same rays under the same conditions
+//! as the graphs, at the sites of the graphs' nodes: so random numbers are the same. A body is written once
+//! and computes in two ways ([`arithmetic`]): with glam and std's mathematics results agree to within
+//! rounding, with the compiler's to the bit.
 
 mod advanced_glass;
+pub mod arithmetic;
 mod asking;
 mod checker_floor;
 mod constant_simple;
@@ -16,15 +18,18 @@ mod of_graph;
 mod optics;
 mod pointwise;
 mod rainbow;
+mod site;
 mod tinted_mirror;
 
 pub use advanced_glass::AdvancedGlass;
+pub use asking::{Asking, Light};
 pub use checker_floor::CheckerFloor;
 pub use constant_simple::ConstantSimple;
 pub use gradient_sky::GradientSky;
 pub use identity::{NotWrittenByHand, recognise};
-pub use library::{MonolithError, NAMES, find};
+pub use library::{MonolithError, NAMES, find, find_same_bits};
 pub use of_graph::{NoMonolith, of_graph};
 pub use pointwise::{Parameter, PointShader, Pointwise};
 pub use rainbow::Rainbow;
+pub use site::Site;
 pub use tinted_mirror::TintedMirror;

@@ -1,17 +1,22 @@
 //! A hand-written shader of one point as something that shades batches.
 
+use std::marker::PhantomData;
+
 use glam::{Vec3, Vec4};
 use phenomenon_compiler::effects::{Effect, EffectSet, LightMode, Renderer};
 use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
 
+use super::arithmetic::{Arithmetic, Std};
 use super::asking::Asking;
 
 /// A parameter of a hand-written shader.
 pub enum Parameter<'a> {
     /// A number.
     Scalar(&'a mut f32),
+    /// A whole number; of a choice the position of its name.
+    Integer(&'a mut i32),
     /// A colour with alpha.
     Color(&'a mut Vec4),
     /// A vector.
@@ -26,14 +31,45 @@ pub trait PointShader: Default + Send + Sync + 'static {
     /// The parameter called `name`.
     fn parameter(&mut self, name: &str) -> Option<Parameter<'_>>;
 
-    /// Shades one point for one of its roots.
-    fn shade_point(&self, root: RootKind, point: &State, asking: &mut Asking<'_>) -> Shaded;
+    /// Shades one point for one of its roots. It is written once for all kinds of arithmetic, and inlined always: what
+    /// multiplies and adds in one step is compiled for CPUs that do.
+    fn shade_point<A: Arithmetic>(
+        &self,
+        root: RootKind,
+        point: &State,
+        asking: &mut Asking<'_>,
+    ) -> Shaded;
 }
 
 /// Shades batches point by point.
-pub struct Pointwise<S>(pub S);
+pub struct Pointwise<S, A = Std> {
+    shader: S,
+    arithmetic: PhantomData<A>,
+}
 
-impl<S: PointShader> Shade for Pointwise<S> {
+impl<S: PointShader, A: Arithmetic> Pointwise<S, A> {
+    /// Of a shader with its parameters.
+    pub fn new(shader: S) -> Self {
+        Self { shader, arithmetic: PhantomData }
+    }
+
+    /// Shades points one after another.
+    #[inline(always)]
+    fn each(&self, root: RootKind, points: &[State], asking: &mut Asking<'_>, to: &mut [Shaded]) {
+        for (point, result) in points.iter().zip(to) {
+            *result = self.shader.shade_point::<A>(root, point, asking);
+        }
+    }
+
+    /// The same, compiled for CPUs that multiply and add in one step.
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2,fma")]
+    fn fused(&self, root: RootKind, points: &[State], asking: &mut Asking<'_>, to: &mut [Shaded]) {
+        self.each(root, points, asking, to);
+    }
+}
+
+impl<S: PointShader, A: Arithmetic> Shade for Pointwise<S, A> {
     fn has_root(&self, root: RootKind) -> bool {
         S::ROOTS.iter().any(|(kind, _)| *kind == root)
     }
@@ -44,7 +80,7 @@ impl<S: PointShader> Shade for Pointwise<S> {
     }
 
     fn link(&self, renderer: &mut dyn Renderer) -> Links {
-        // All lights: what `Asking::diffuse` goes through.
+        // All lights: what `Asking::lights` counts.
         Links { light_lists: vec![renderer.light_list(&[], LightMode::All)], ..Links::default() }
     }
 
@@ -57,8 +93,11 @@ impl<S: PointShader> Shade for Pointwise<S> {
         results: &mut [Shaded],
     ) {
         let mut asking = Asking::new(links, renderer);
-        for (point, result) in points.iter().zip(results) {
-            *result = self.0.shade_point(root, point, &mut asking);
+        #[cfg(target_arch = "x86_64")]
+        if A::FUSED && is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+            // SAFETY: the CPU was asked for what the function needs.
+            return unsafe { self.fused(root, points, &mut asking, results) };
         }
+        self.each(root, points, &mut asking, results);
     }
 }

@@ -1,15 +1,16 @@
-use glam::{Vec3, Vec4, Vec4Swizzles};
+use glam::{Vec4, Vec4Swizzles};
 use phenomenon_compiler::effects::{Effect, Trace};
 use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
 
+use super::arithmetic::Arithmetic;
 use super::asking::Asking;
-use super::optics::{fresnel_at, reflect};
+use super::optics::{fresnel, reflect};
 use super::pointwise::{Parameter, PointShader};
+use super::site::Site;
 
-/// Request site of the reflection ray.
-const MIRROR: u64 = 0x7261_696e_626f_7700;
+const MIRROR: Site = Site::of("mirror");
 
 /// `graphs/rainbow/rainbow.json` by hand.
 #[derive(Clone, Debug)]
@@ -57,38 +58,27 @@ impl PointShader for Rainbow {
         })
     }
 
-    fn shade_point(&self, _: RootKind, point: &State, asking: &mut Asking<'_>) -> Shaded {
-        let share = fresnel_at(point, self.ior) * self.reflectivity;
-        let mut glossy = Vec4::ZERO;
+    #[inline(always)]
+    fn shade_point<A: Arithmetic>(
+        &self,
+        _: RootKind,
+        point: &State,
+        asking: &mut Asking<'_>,
+    ) -> Shaded {
+        let share = fresnel::<A>(point, self.ior) * self.reflectivity;
+        let (mut surface, mut mirrored) = (Vec4::ZERO, Vec4::ZERO);
         if share != 1.0 {
-            let light = self.ambient.xyz() + asking.diffuse(point);
-            let surface = self.surface_color.xyz() * light;
-            glossy = surface.extend(self.surface_color.w) * (1.0 - share);
+            let color = self.surface_color.xyz();
+            let lit = color * self.ambient.xyz() + asking.matt::<A>(point, color);
+            surface = lit.extend(self.surface_color.w);
         }
         if share != 0.0 {
-            let seen = asking.trace(Trace::Reflection, point, reflect(point), MIRROR);
-            glossy += Vec4::from(seen.color) * share;
+            mirrored = asking.see(Trace::Reflection, point, reflect::<A>(point), MIRROR);
         }
-        let facing = Vec3::from(point.normal).dot(Vec3::from(point.direction));
-        let film = rainbow(facing.abs(), self.saturation);
-        let overlaid = overlay(glossy.xyz(), film).extend(glossy.w);
-        Shaded { color: glossy.lerp(overlaid, self.strength).into(), ok: true }
+        let glossy = A::mix(surface, mirrored, share);
+        let facing = A::dot(point.normal.into(), point.direction.into());
+        let film = A::of_hue(facing.abs(), self.saturation, 1.0);
+        let overlaid = A::overlay(glossy.xyz(), film).extend(glossy.w);
+        Shaded { color: A::mix(glossy, overlaid, self.strength).into(), ok: true }
     }
-}
-
-/// The colour of a hue in turns, at value 1.
-fn rainbow(hue: f32, saturation: f32) -> Vec3 {
-    let sextants = (hue - hue.floor()) * 6.0;
-    let red = (sextants - 3.0).abs() - 1.0;
-    let green = 2.0 - (sextants - 2.0).abs();
-    let blue = 2.0 - (sextants - 4.0).abs();
-    let pure = Vec3::new(red, green, blue).clamp(Vec3::ZERO, Vec3::ONE);
-    Vec3::ONE.lerp(pure, saturation)
-}
-
-/// A layer of colours in 0..=1 laid over a base; bases of 1 and more pass.
-fn overlay(base: Vec3, layer: Vec3) -> Vec3 {
-    let blended = base * (base + 2.0 * layer * (1.0 - base));
-    let lit = Vec3::select(base.cmpgt(Vec3::ZERO), blended, Vec3::ZERO);
-    Vec3::select(base.cmpge(Vec3::ONE), base, lit)
 }

@@ -4,12 +4,13 @@ use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::State;
 
+use super::arithmetic::Arithmetic;
 use super::asking::Asking;
-use super::optics::{filtered, fresnel_at, reflect};
+use super::optics::{filtered, fresnel, reflect};
 use super::pointwise::{Parameter, PointShader};
+use super::site::Site;
 
-/// Request site of the reflection ray.
-const MIRROR: u64 = 0x6d69_7272_6f72_0100;
+const MIRROR: Site = Site::of("mirror");
 
 /// `graphs/mirror/tinted_mirror.json` by hand.
 #[derive(Clone, Debug)]
@@ -38,14 +39,19 @@ impl PointShader for TintedMirror {
         })
     }
 
-    fn shade_point(&self, _: RootKind, point: &State, asking: &mut Asking<'_>) -> Shaded {
-        let share = fresnel_at(point, self.ior);
-        let mut color = Vec4::W;
+    #[inline(always)]
+    fn shade_point<A: Arithmetic>(
+        &self,
+        _: RootKind,
+        point: &State,
+        asking: &mut Asking<'_>,
+    ) -> Shaded {
+        let share = fresnel::<A>(point, self.ior);
+        let mut mirrored = Vec4::ZERO;
         if share != 0.0 {
-            let seen = asking.trace(Trace::Reflection, point, reflect(point), MIRROR);
-            let seen = filtered(seen.color.into(), self.tint.truncate());
-            color = color.lerp(seen, share);
+            mirrored = asking.see(Trace::Reflection, point, reflect::<A>(point), MIRROR);
+            mirrored = filtered(mirrored, self.tint.truncate());
         }
-        Shaded { color: color.into(), ok: true }
+        Shaded { color: A::mix(Vec4::W, mirrored, share).into(), ok: true }
     }
 }

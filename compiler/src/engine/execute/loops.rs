@@ -1,9 +1,8 @@
 //! Loops of a batch, turn by turn.
 
-use crate::engine::requests::iteration_key;
 use crate::engine::turns::{Turn, Turning, turns_of};
 use crate::schedule::{Loop, LoopId, RegionId};
-use crate::specialise::Turns;
+use crate::specialise::{Turns, iteration_key};
 use crate::state::Reduction;
 use crate::storage::{LANES, Source};
 

@@ -3,9 +3,8 @@
 use super::code::{Loop, Step};
 use super::memory::{LoopPosition, Memory};
 use super::run::{Next, Walk};
-use crate::engine::requests::iteration_key;
 use crate::engine::turns::{Turn, turns_of};
-use crate::specialise::{EpochId, Turns};
+use crate::specialise::{EpochId, Turns, iteration_key};
 use crate::state::{Reduction, State};
 
 impl Walk<'_> {

@@ -5,9 +5,8 @@ use super::memory::{Frame, LoopPosition, Memory};
 use crate::effects::Renderer;
 use crate::engine::evaluations::Evaluations;
 use crate::engine::links::Linked;
-use crate::engine::requests::iteration_key;
 use crate::engine::shade::Shaded;
-use crate::specialise::{EpochId, InstanceId};
+use crate::specialise::{EpochId, InstanceId, iteration_key};
 use crate::state::{Field, State};
 
 impl Code {

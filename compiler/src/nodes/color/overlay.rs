@@ -29,8 +29,9 @@ node! {
     }
 }
 
+/// One component of the blend.
 #[inline(always)]
-fn overlay<E: Emit>(e: E, base: E::Real, layer: E::Real) -> E::Real {
+pub fn overlay<E: Emit>(e: E, base: E::Real, layer: E::Real) -> E::Real {
     let (zero, one) = (e.real(0.0), e.real(1.0));
     let twice = layer.saturate() * 2.0;
     let blended = base * twice.mul_add(one - base, base);
