@@ -311,6 +311,51 @@ fn the_glass_agrees_at_its_limits() {
     assert!(opaque[&Effect::TraceRefraction] < clear[&Effect::TraceRefraction]);
 }
 
+fn count(name: &str, value: i32) -> (String, Literal) {
+    (name.into(), Literal::Integer(value))
+}
+
+#[test]
+fn brushed_metal_agrees_at_its_limits() {
+    let some = compare("aniso_brdf", &[]);
+    let none = compare("aniso_brdf", &[set("specular_reflectance", 0.0)]);
+    assert!(!none.contains_key(&Effect::TraceReflection));
+    assert_eq!(none[&Effect::LightColor], some[&Effect::LightColor]);
+    for brush in 0..3 {
+        let direction = ("direction".into(), Literal::Vector([0.3, -2.0, 0.1]));
+        let center = ("center".into(), Literal::Vector([0.0, 1.0, -0.5]));
+        compare("aniso_brdf", &[count("brush", brush), direction, center]);
+    }
+    // Without a direction any will do, and of one roughness none is needed.
+    compare("aniso_brdf", &[("direction".into(), Literal::Vector([0.0; 3]))]);
+    compare("aniso_brdf", &[set("ru", 0.0), set("rv", 0.0), set("specular_reflectance", 1.0)]);
+    compare("aniso_brdf", &[set("ru", 1e5), set("rv", 1e5), count("samples", 1)]);
+}
+
+#[test]
+fn sunglasses_agree_at_their_limits() {
+    let seen = compare("sunglasses", &[]);
+    let closed = compare("sunglasses", &[set("refractivity", 0.0)]);
+    // What leaves the glass passes on in any case.
+    assert!(closed[&Effect::TraceRefraction] < seen[&Effect::TraceRefraction] / 2);
+    let mirror = compare("sunglasses", &[set("reflectivity", 1.0), set("rainbow", 0.0)]);
+    assert!(!mirror.contains_key(&Effect::LightColor));
+    compare("sunglasses", &[set("reflectivity", 0.0), set("rainbow", 1.0)]);
+}
+
+#[test]
+fn x_rays_agree_at_their_limits() {
+    let all = compare("xray", &[]);
+    // All is thin, and hides what is behind.
+    let hidden = compare("xray", &[set("intensity", 1.0), set("near", 999.0), set("far", 1000.0)]);
+    assert_eq!(hidden[&Effect::TraceProbe], all[&Effect::TraceProbe]);
+    assert!(hidden[&Effect::TraceTransparent] < all[&Effect::TraceTransparent]);
+    compare("xray", &[set("intensity", 0.0), set("slant", 0.0), set("spread", 0.0)]);
+    for samples in [1, 7, 12, 256] {
+        compare("xray", &[count("samples", samples), set("slant", 1.0), set("near", 5.0)]);
+    }
+}
+
 #[test]
 fn a_reflection_without_weight_casts_no_ray() {
     let none = compare("rainbow", &[set("reflectivity", 0.0), set("strength", 0.0)]);

@@ -11,7 +11,7 @@ use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::values::Literal;
 use phenomenon_runtime::film;
-use phenomenon_runtime::monoliths;
+use phenomenon_runtime::monoliths::{self, MonolithError};
 use phenomenon_runtime::render::{Rendered, Settings, render};
 use phenomenon_runtime::scene::Scene;
 use phenomenon_runtime::scene_file::{MaterialRef, MaterialSource, read_scene, settings};
@@ -21,6 +21,10 @@ const GRAPHS: [&str; 3] = [
     "graphs/glass/advanced_glass.json",
     "graphs/rainbow/rainbow.json",
 ];
+
+/// Further ones written by hand, and tried in fewer ways.
+const BY_HAND: [&str; 3] =
+    ["graphs/aniso/aniso_brdf.json", "graphs/sunglasses/sunglasses.json", "graphs/xray/xray.json"];
 
 /// With a texture, an array, a struct and a list of shaders; nobody wrote it by hand.
 const PAINTED: &str = "graphs/painted/painted.json";
@@ -68,9 +72,14 @@ fn compiled(shape: &str, graph: &str, options: Options) -> Scene {
     })
 }
 
-fn by_hand(shape: &str, graph: &str) -> Scene {
-    scene(shape, graph, |graph, values| {
-        Arc::from(monoliths::find(&graph.name, values).unwrap().unwrap())
+/// What finds a monolith.
+type Find = fn(&str, &[(String, Literal)]) -> Option<Result<Box<dyn Shade>, MonolithError>>;
+
+/// With monoliths wherever there are any.
+fn by_hand(shape: &str, graph: &str, find: Find) -> Scene {
+    scene(shape, graph, |graph, values| match find(&graph.name, values) {
+        Some(found) => Arc::from(found.unwrap()),
+        None => Arc::new(Shader::new(Arc::new(graph), values, Options::default()).unwrap()),
     })
 }
 
@@ -129,12 +138,38 @@ fn every_engine_renders_the_same_bytes_with_the_same_rays() {
 }
 
 #[test]
-fn monoliths_are_within_rounding() {
-    let size = (96, 72);
-    for graph in GRAPHS {
+fn what_is_written_by_hand_is_the_same_in_every_engine() {
+    let size = (20, 15);
+    for graph in BY_HAND {
+        for shape in ["default", "teapot"] {
+            let engines = [
+                (Engine::Walk, None),
+                (Engine::Batch, None),
+                (Engine::Jit, Some(Generator::Native)),
+                (Engine::Jit, Some(Generator::Cranelift)),
+            ];
+            let rendered = engines.map(|(engine, generator)| {
+                let options = Options { engine, generator, ..Options::default() };
+                let rendered = picture(&compiled(shape, graph, options), 2, 256, size);
+                (exr(&rendered), rendered.statistics.rays)
+            });
+            for (other, (engine, generator)) in rendered.iter().zip(engines) {
+                assert!(*other == rendered[0], "{graph} on {shape}, {engine:?} {generator:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn monoliths_are_within_rounding_or_the_same_to_the_bit() {
+    let size = (64, 48);
+    for graph in GRAPHS.into_iter().chain(BY_HAND) {
         for shape in ["default", "teapot"] {
             let jit = picture(&compiled(shape, graph, Options::default()), 2, 256, size);
-            let monolith = picture(&by_hand(shape, graph), 2, 256, size);
+            let same = picture(&by_hand(shape, graph, monoliths::find_same_bits), 2, 256, size);
+            assert_eq!(same.statistics.rays, jit.statistics.rays, "{graph} on {shape}");
+            assert!(exr(&same) == exr(&jit), "{graph} on {shape}");
+            let monolith = picture(&by_hand(shape, graph, monoliths::find), 2, 256, size);
             let difference = film::compare(&jit.film, &monolith.film).unwrap();
             assert!(difference.encoded.rms < 5e-3, "{graph} on {shape}: {difference:?}");
             let (a, b) = (jit.statistics.rays, monolith.statistics.rays);

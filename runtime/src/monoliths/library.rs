@@ -5,7 +5,10 @@ use phenomenon_compiler::values::{Literal, Type};
 
 use super::arithmetic::{Arithmetic, SameBits, Std};
 use super::pointwise::{Parameter, PointShader, Pointwise};
-use super::{AdvancedGlass, CheckerFloor, ConstantSimple, GradientSky, Rainbow, TintedMirror};
+use super::{
+    AdvancedGlass, AnisoBrdf, CheckerFloor, ConstantSimple, GradientSky, Rainbow, Sunglasses,
+    TintedMirror, Xray,
+};
 
 /// Why a monolith cannot take a value for a parameter.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -33,11 +36,14 @@ pub enum MonolithError {
 /// The names [`find`] knows.
 pub const NAMES: &[&str] = &[
     "advanced_glass",
+    "aniso_brdf",
     "checker_floor",
     "constant_simple",
     "gradient_sky",
     "rainbow",
+    "sunglasses",
     "tinted_mirror",
+    "xray",
 ];
 
 /// The monolith of the graph called `name`, with parameters set by name; none if there is no such
@@ -65,11 +71,14 @@ fn found<A: Arithmetic>(
 ) -> Option<Result<Box<dyn Shade>, MonolithError>> {
     Some(match name {
         "advanced_glass" => made::<AdvancedGlass, A>(name, overrides),
+        "aniso_brdf" => made::<AnisoBrdf, A>(name, overrides),
         "checker_floor" => made::<CheckerFloor, A>(name, overrides),
         "constant_simple" => made::<ConstantSimple, A>(name, overrides),
         "gradient_sky" => made::<GradientSky, A>(name, overrides),
         "rainbow" => made::<Rainbow, A>(name, overrides),
+        "sunglasses" => made::<Sunglasses, A>(name, overrides),
         "tinted_mirror" => made::<TintedMirror, A>(name, overrides),
+        "xray" => made::<Xray, A>(name, overrides),
         _ => return None,
     })
 }

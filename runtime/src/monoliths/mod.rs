@@ -7,6 +7,7 @@
 //! rounding, with the compiler's to the bit.
 
 mod advanced_glass;
+mod aniso_brdf;
 pub mod arithmetic;
 mod asking;
 mod checker_floor;
@@ -19,9 +20,13 @@ mod optics;
 mod pointwise;
 mod rainbow;
 mod site;
+mod strata;
+mod sunglasses;
 mod tinted_mirror;
+mod xray;
 
 pub use advanced_glass::AdvancedGlass;
+pub use aniso_brdf::AnisoBrdf;
 pub use asking::{Asking, Light};
 pub use checker_floor::CheckerFloor;
 pub use constant_simple::ConstantSimple;
@@ -32,4 +37,6 @@ pub use of_graph::{NoMonolith, of_graph};
 pub use pointwise::{Parameter, PointShader, Pointwise};
 pub use rainbow::Rainbow;
 pub use site::Site;
+pub use sunglasses::Sunglasses;
 pub use tinted_mirror::TintedMirror;
+pub use xray::Xray;
