@@ -5,13 +5,14 @@ use std::sync::Arc;
 
 use phenomenon_compiler::check::{OnDisk, check_graph};
 use phenomenon_compiler::diagnostics::Code;
-use phenomenon_compiler::document::read;
+use phenomenon_compiler::document::{read, read_file};
 use phenomenon_compiler::engine::{Engine, Options};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::link::{
     Changes, LinkError, Linked, Linker, NoSuchUse, NodePath, Note, Remark, Shading, ShowNodeError,
     Subject, TextValue, check_with_graphs,
 };
+use phenomenon_runtime::monoliths::NotWrittenByHand;
 use phenomenon_runtime::render::{Settings, render};
 use phenomenon_runtime::scene_file::{Assets, SceneFile, read_scene};
 
@@ -20,14 +21,19 @@ const GRAPH: &str = r#"{ "phenomenon": "tint", "requires": { "shadow": "sort" },
     "nodes": { "twice": { "type": "add", "inputs": { "a": { "interface": "tint" }, "b": { "interface": "tint" } } } },
     "roots": { "material": { "interface": "tint" } } }"#;
 
-/// A ball before the camera that fills its picture, and one behind it.
+/// A ball before the camera that fills its picture, and one behind it that shows the subject.
 fn scene(material: &str) -> SceneFile {
+    balls(material, r#"{ "subject": true }"#)
+}
+
+/// A ball before the camera that fills its picture, and one behind it.
+fn balls(material: &str, behind: &str) -> SceneFile {
     let text = format!(
         r#"{{ "scene": "two balls",
         "camera": {{ "position": [0, 0, 2], "look_at": [0, 0, 0] }},
         "objects": [
             {{ "name": "ball", "sphere": {{ "radius": 1.9 }}, "material": {material} }},
-            {{ "name": "hidden", "sphere": {{ "center": [0, 0, 9], "radius": 1 }}, "material": {{ "subject": true }} }}
+            {{ "name": "hidden", "sphere": {{ "center": [0, 0, 9], "radius": 1 }}, "material": {behind} }}
         ] }}"#
     );
     let file = read_scene("scene.json", text.as_bytes(), Path::new(""));
@@ -68,6 +74,10 @@ fn seen(linked: Linked) -> [f32; 4] {
     film.pixel(1, 1)
 }
 
+fn by_hand() -> Shading {
+    Shading::ByHand(Options { engine: Engine::Walk, ..Options::default() })
+}
+
 fn walk() -> Shading {
     Shading::Compiled(Options { engine: Engine::Walk, ..Options::default() })
 }
@@ -100,7 +110,7 @@ fn what_cannot_be_linked_is_told_apart() {
     let none = Changes::default();
     let (linked, _) = link(&file, walk(), None, &none);
     assert!(matches!(linked, Err(LinkError::NoSubject { .. })));
-    let (linked, _) = link(&file, Shading::ByHand, Some(&subject), &none);
+    let (linked, _) = link(&file, by_hand(), Some(&subject), &none);
     assert!(matches!(linked, Err(LinkError::ByHand(_))));
     let absent = scene(r#"{ "file": "no/such/graph.json" }"#);
     let (linked, _) = link(&absent, walk(), Some(&subject), &none);
@@ -115,8 +125,30 @@ fn what_cannot_be_linked_is_told_apart() {
     changes.of(described, "objects[0]").unwrap().node = Some(NodePath::read("thrice").unwrap());
     let (linked, _) = link(&file, walk(), Some(&subject), &changes);
     assert!(matches!(linked, Err(LinkError::Node(ShowNodeError::Missing { .. }))));
-    let (linked, _) = link(&file, Shading::ByHand, Some(&subject), &changes);
+    let (linked, _) = link(&file, by_hand(), Some(&subject), &changes);
     assert!(matches!(linked, Err(LinkError::Node(ShowNodeError::ByHand))));
+}
+
+#[test]
+fn what_is_not_written_by_hand_is_compiled_beside_what_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("tint.json");
+    std::fs::write(&path, GRAPH).unwrap();
+    let tint = format!(r#"{{ "file": {:?} }}"#, path.to_str().unwrap());
+    let shipped = concat!(env!("CARGO_MANIFEST_DIR"), "/../graphs/constant/constant_simple.json");
+    let library = NodeLibrary::standard();
+    let document = read_file(Path::new(shipped)).unwrap();
+    let graph = check_graph(&document, &library).graph.unwrap();
+    let constant = Subject { graph, document: Arc::new(document), values: Vec::new() };
+    let none = Changes::default();
+    let (alone, _) = link(&balls(&tint, &tint), by_hand(), Some(&constant), &none);
+    assert!(matches!(alone, Err(LinkError::ByHand(_))));
+    let (linked, notes) = link(&scene(&tint), by_hand(), Some(&constant), &none);
+    let linked = linked.unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(linked.shaders.len(), 1);
+    assert_eq!(seen(linked), [0.5, 0.25, 0.0, 1.0]);
+    let why = NotWrittenByHand::Unknown("tint".into());
+    assert!(notes.contains(&Note::Compiled { why }), "{notes:?}");
 }
 
 #[test]

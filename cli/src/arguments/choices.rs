@@ -16,7 +16,8 @@ pub enum EngineChoice {
     Batch,
     /// Machine code made for this graph
     Jit,
-    /// The hand-written Rust of this graph, where there is one
+    /// The hand-written Rust of this graph, where there is one; in a scene, of those of its graphs that
+    /// have one, and the others are compiled
     Monolith,
 }
 

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::document::{Document, all_mistakes};
-use phenomenon_compiler::engine::{Evaluations, Options, Shader};
+use phenomenon_compiler::engine::{Engine, Evaluations, Options, Shader};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::link::{
@@ -62,17 +62,18 @@ impl Picture {
         failures.next().map_or(Ok(()), |error| Err(graphs::jit_failed(error)))
     }
 
-    /// Points shaded by each engine; `all` is their number, which a monolith does not count itself.
+    /// Points shaded by each engine; `all` is their number, for a monolith does not count its own.
     pub fn points(&self, engine: EngineChoice, all: u64) -> Vec<(&'static str, u64)> {
-        if engine == EngineChoice::Monolith {
-            return vec![("monolith", all)];
-        }
         let mut points: Vec<(&'static str, u64)> = Vec::new();
         for (engine, count) in self.shaders.iter().flat_map(|shader| shader.points()) {
             match points.iter_mut().find(|(known, _)| *known == engine) {
                 Some((_, sum)) => *sum += count,
                 None => points.push((engine, count)),
             }
+        }
+        if engine == EngineChoice::Monolith {
+            let compiled: u64 = points.iter().map(|(_, count)| count).sum();
+            points.insert(0, ("monolith", all - compiled));
         }
         points
     }
@@ -119,7 +120,7 @@ pub fn load(
             Some(compiled) => {
                 Shading::Compiled(Options { count: flags.count, ..engine.options(compiled) })
             }
-            None => Shading::ByHand,
+            None => Shading::ByHand(engine.options(Engine::Auto)),
         },
         subject: subject.as_ref(),
         changes: &changes,

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use phenomenon_compiler::engine::Shader;
 use phenomenon_compiler::nodes::NodeLibrary;
 
+use super::by_hand::ByHand;
 use super::changes::Changes;
 use super::error::LinkError;
 use super::materials::{Materials, Remark, Shading, Subject};
@@ -58,6 +59,7 @@ impl Linker<'_> {
             environment: scene.environment_material().map(|material| material.place.clone()),
             graphs: HashMap::new(),
             idle_told: self.subject.iter().map(|_| MaterialSource::Subject).collect(),
+            by_hand: ByHand::default(),
             shaders: Vec::new(),
             milliseconds: 0.0,
             tell,
@@ -71,7 +73,8 @@ impl Linker<'_> {
             }
             BuildError::Scene(error) => LinkError::Scene(error),
         })?;
-        let Materials { shaders, milliseconds, .. } = materials;
+        let Materials { shaders, milliseconds, by_hand, tell, .. } = materials;
+        by_hand.notes()?.for_each(|note| tell(Remark::Note(note)));
         Ok(Linked { scene: built, shaders, compile_milliseconds: milliseconds })
     }
 }

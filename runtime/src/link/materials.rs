@@ -13,13 +13,14 @@ use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::values::Literal;
 
+use super::by_hand::ByHand;
 use super::changes::{Change, Changes};
 use super::error::{LinkError, ShowNodeError};
 use super::notes::Note;
 use super::shown::shown_node;
 use super::uncompilable::uncompilable;
 use super::values::bind_texts;
-use crate::monoliths;
+use crate::monoliths::{self, NoMonolith};
 use crate::render::CALLED_ROOTS;
 use crate::scene_file::{
     LightNames, MaterialRef, MaterialSource, SceneDescription, embedded_file, settings,
@@ -32,8 +33,9 @@ use crate::texture::DecodedPictures;
 pub enum Shading {
     /// The engine of these options; which roots it compiles is up to the linker.
     Compiled(Options),
-    /// The monoliths that compute the same.
-    ByHand,
+    /// The monoliths that compute the same. In a scene in which some object's material is written by hand,
+    /// what is not, but for the graph that is looked at, is run by the engine of these options.
+    ByHand(Options),
 }
 
 /// The graph that is looked at, with the values it is given.
@@ -75,6 +77,7 @@ pub(super) struct Materials<'a> {
     pub(super) graphs: HashMap<PathBuf, (Graph, Arc<Document>)>,
     /// Graphs of which was told what is not done.
     pub(super) idle_told: HashSet<MaterialSource>,
+    pub(super) by_hand: ByHand,
     pub(super) shaders: Vec<Arc<Shader>>,
     /// Time spent compiling.
     pub(super) milliseconds: f64,
@@ -114,7 +117,7 @@ impl Materials<'_> {
             Note::idle(&graph).into_iter().for_each(|note| self.note(note));
         }
         if let Some(node) = changed.and_then(|changed| changed.node) {
-            if matches!(self.shading, Shading::ByHand) {
+            if matches!(self.shading, Shading::ByHand(_)) {
                 return Err(ShowNodeError::ByHand.into());
             }
             graph = shown_node(&graph, &node, root)?;
@@ -125,7 +128,17 @@ impl Materials<'_> {
         }
         match self.shading {
             Shading::Compiled(options) => self.compiled(material, graph, &values, options),
-            Shading::ByHand => Ok(Arc::from(monoliths::of_graph(&graph, values)?)),
+            Shading::ByHand(options) => match monoliths::of_graph(&graph, values.clone()) {
+                Ok(monolith) => {
+                    self.by_hand.found |= root == RootKind::Material;
+                    Ok(Arc::from(monolith))
+                }
+                Err(NoMonolith::NotWritten(why)) if material.source != MaterialSource::Subject => {
+                    self.by_hand.missing(why);
+                    self.compiled(material, graph, &values, options)
+                }
+                Err(error) => Err(error.into()),
+            },
         }
     }
 

@@ -1,5 +1,6 @@
 //! Scenes with the graphs they use: checked together, compiled, and made ready to be rendered.
 
+mod by_hand;
 mod changes;
 mod check;
 mod error;

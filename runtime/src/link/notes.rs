@@ -5,6 +5,7 @@ use std::fmt;
 use phenomenon_compiler::diagnostics::{Place, listed};
 use phenomenon_compiler::graph::{Graph, RootKind};
 
+use crate::monoliths::NotWrittenByHand;
 use crate::render::CALLED_ROOTS;
 
 /// Something about a graph that keeps nothing from being rendered.
@@ -41,6 +42,11 @@ pub enum Note {
         root: RootKind,
         /// Where it is used.
         place: Place,
+    },
+    /// It is compiled although monoliths are asked for: others of the scene are written by hand.
+    Compiled {
+        /// Why there is no monolith of it.
+        why: NotWrittenByHand,
     },
 }
 
@@ -112,6 +118,7 @@ impl fmt::Display for Note {
                 let (at, root) = (line_of(place), root.name());
                 write!(f, "{at}: `{graph}` has no `{root}` root, so {what} is black")
             }
+            Note::Compiled { why } => write!(f, "{why}, so it is compiled; other objects are"),
         }
     }
 }
