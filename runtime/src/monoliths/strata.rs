@@ -13,7 +13,7 @@ const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 impl Strata {
     /// For a number of samples.
     pub fn of(count: usize) -> Self {
-        let rows = (1..=32).rev().find(|rows| rows * rows <= count && count % rows == 0);
+        let rows = (1..=32).rev().find(|rows| rows * rows <= count && count.is_multiple_of(*rows));
         Self { count, rows: rows.unwrap_or(1) }
     }
 
