@@ -39,6 +39,11 @@ pub struct Picture {
 }
 
 impl Picture {
+    /// Whether any of its materials is compiled.
+    pub fn compiles(&self) -> bool {
+        !self.shaders.is_empty()
+    }
+
     /// Time spent compiling, in milliseconds.
     pub fn compile_milliseconds(&self) -> f64 {
         self.shaders.iter().map(|shader| shader.compile_milliseconds()).sum()

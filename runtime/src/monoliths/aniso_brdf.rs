@@ -7,7 +7,7 @@ use phenomenon_compiler::state::{Field, State};
 use super::arithmetic::{Arithmetic, Facing};
 use super::asking::Asking;
 use super::pointwise::{Parameter, PointShader};
-use super::site::Site;
+use super::site::{Site, turns};
 
 const AROUND: Site = Site::of("around");
 const MIRROR: Site = Site::of("around/mirror");
@@ -133,14 +133,14 @@ impl AnisoBrdf {
         let (direction, normal) = (point.direction.into(), point.normal.into());
         let roughness = [self.ru, self.rv].map(|exponent| (2.0 / (exponent + 1.0)).sqrt());
         // What is seen in a mirror is not worth as many rays again.
-        let count = if point.reflection_level == 0 { self.samples } else { 1 };
+        let count = if point.reflection_level == 0 { turns(self.samples) } else { 1 };
         let mut sum = Vec3::ZERO;
-        for sample in 0..count as usize {
+        for sample in 0..count {
             let numbers = AROUND.numbers(point, sample);
             let facet = A::facet(direction, normal, tangent, roughness, numbers);
             let to = A::reflect(direction, facet, point.normal_geom.into());
             sum += asking.see(Trace::Reflection, point, to, MIRROR.turn(sample)).xyz();
         }
-        sum / count as f32
+        sum / count.max(1) as f32
     }
 }

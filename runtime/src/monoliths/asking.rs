@@ -83,6 +83,7 @@ impl<'r> Asking<'r> {
 
     /// Light that a matt surface reflects: the sum over all lights of colour times light times cosine. Casts a
     /// shadow ray for each light before the surface.
+    #[inline(always)]
     pub fn matt<A: Arithmetic>(&mut self, point: &State, color: Vec3) -> Vec3 {
         let mut sum = Vec3::ZERO;
         for number in 0..self.lights() {

@@ -236,6 +236,10 @@ mod tests {
         let node = text.replace("\"a\": [0, 0, 0]", "\"a\": [0, 0, 1e-9]");
         let told = recognised(&node).unwrap_err();
         assert!(told.contains("its node `shade` is another"), "{told}");
+        // What an inner phenomenon computes counts as well.
+        let film = shipped_text("sunglasses").replace("\"saturation\": 1.0", "\"saturation\": 0.5");
+        let told = recognised(&film).unwrap_err();
+        assert!(told.contains("its node `filmed/film` is another"), "{told}");
         let own = r#"{ "phenomenon": "own", "roots": { "material": [1, 0, 0] } }"#;
         assert_eq!(recognised(own), Err("`own` is not written by hand".into()));
     }

@@ -31,8 +31,9 @@ pub trait PointShader: Default + Send + Sync + 'static {
     /// The parameter called `name`.
     fn parameter(&mut self, name: &str) -> Option<Parameter<'_>>;
 
-    /// Shades one point for one of its roots. It is written once for all kinds of arithmetic, and inlined always: what
-    /// multiplies and adds in one step is compiled for CPUs that do.
+    /// Shades one point for one of its roots. It is written once for all kinds of arithmetic. It is inlined
+    /// always, and so is what it calls that computes: what multiplies and adds in one step is compiled for CPUs
+    /// that do.
     fn shade_point<A: Arithmetic>(
         &self,
         root: RootKind,

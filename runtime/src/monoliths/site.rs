@@ -1,7 +1,13 @@
 //! Where hand-written shaders ask and draw: at the sites of the graph's nodes.
 
 use phenomenon_compiler::specialise::{drawn, iteration_key, site};
-use phenomenon_compiler::state::State;
+use phenomenon_compiler::state::{MOST_TURNS, State};
+
+/// How many turns a loop over samples takes that is asked for `count`.
+#[inline]
+pub fn turns(count: i32) -> usize {
+    count.clamp(0, MOST_TURNS) as usize
+}
 
 /// The key of a request or of a loop over samples. Random numbers, those of other shaders below a ray too,
 /// depend on it alone, so whoever asks at the sites of a graph draws the numbers of the graph.

@@ -7,7 +7,7 @@ use phenomenon_compiler::state::State;
 use super::arithmetic::Arithmetic;
 use super::asking::Asking;
 use super::pointwise::{Parameter, PointShader};
-use super::site::Site;
+use super::site::{Site, turns};
 use super::strata::Strata;
 
 const BEHIND: Site = Site::of("behind");
@@ -92,7 +92,7 @@ impl Xray {
     #[inline(always)]
     fn thin<A: Arithmetic>(&self, point: &State, asking: &mut Asking<'_>) -> f32 {
         let axis = A::mix(-Vec3::from(point.normal), point.direction.into(), self.slant);
-        let count = self.samples as usize;
+        let count = turns(self.samples);
         let strata = Strata::of(count);
         let mut sum = 0.0;
         for sample in 0..count {
@@ -101,6 +101,6 @@ impl Xray {
             let wall = asking.trace(Trace::Probe, point, inwards, WALL.turn(sample)).distance;
             sum += A::smooth_step(wall, self.far, self.near);
         }
-        sum / count as f32
+        sum / count.max(1) as f32
     }
 }

@@ -103,6 +103,9 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         };
         let flags = Flags { preset: &arguments.preset, ..Flags::default() };
         match scenes::load(&arguments.file, &library, &run, &flags) {
+            Ok(picture) if engine == EngineChoice::Monolith && picture.compiles() => {
+                terminal::tell("without monolith: some of the scene is not written by hand");
+            }
             Ok(picture) => contenders.push(Contender { engine, picture, runs: Vec::new() }),
             // Not every graph is written by hand, and not every machine has the jit.
             Err(failure) if !contenders.is_empty() => {
