@@ -9,12 +9,13 @@ use std::sync::Arc;
 use phenomenon_compiler::check::{OnDisk, read_graph_file};
 use phenomenon_compiler::effects::{Answer, NoScene, Ray, Renderer, Trace};
 use phenomenon_compiler::engine::{Engine, Links, Options, Shade, Shaded, Shader, Simd};
-use phenomenon_compiler::graph::{Binding, RootKind};
+use phenomenon_compiler::graph::{Binding, Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::State;
 use phenomenon_compiler::testing::build::Build;
 use phenomenon_compiler::values::{Literal, Type};
 use phenomenon_foreign_nodes::library;
+use phenomenon_runtime::monoliths;
 use phenomenon_runtime::render::Context;
 use phenomenon_runtime::scene::Scene;
 use phenomenon_runtime::scene_file::{MaterialRef, MaterialSource, read_scene, settings};
@@ -79,8 +80,11 @@ fn engines() -> Vec<Options> {
     all
 }
 
-/// The default scene with a graph on its sphere.
-fn scene(graph: &str, options: Options) -> Scene {
+/// The default scene with a graph on its sphere; `shader` makes a shader of a graph and its values.
+fn scene(
+    graph: &str,
+    mut shader: impl FnMut(Graph, &[(String, Literal)]) -> Arc<dyn Shade>,
+) -> Scene {
     let library = NodeLibrary::standard();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
     let text = std::fs::read_to_string(folder.join("default.json")).unwrap();
@@ -91,10 +95,9 @@ fn scene(graph: &str, options: Options) -> Scene {
     let material = |material: &MaterialRef| -> Result<Arc<dyn Shade>, std::convert::Infallible> {
         let MaterialSource::File(path) = &material.source else { panic!("no subject is left") };
         let path: &PathBuf = path;
-        let graph = Arc::new(read_graph_file(path, &library).graph.unwrap());
+        let graph = read_graph_file(path, &library).graph.unwrap();
         let (values, _) = settings(material, &graph, &OnDisk);
-        let shader = Shader::new(graph, &values, options);
-        Ok(Arc::new(shader.unwrap()))
+        Ok(shader(graph, &values))
     };
     file.scene.unwrap().build(material).unwrap()
 }
@@ -109,21 +112,48 @@ fn rays(from: &State) -> Vec<Ray> {
 
 #[test]
 fn rays_lights_and_textures_allocate_nothing() {
+    for graph in ["glass/advanced_glass.json", "painted/painted.json", "rainbow/rainbow.json"] {
+        for options in engines() {
+            let scene = scene(graph, |graph, values| {
+                Arc::new(Shader::new(Arc::new(graph), values, options).unwrap())
+            });
+            nothing_is_allocated(&scene, options.batch, &format!("{graph}, {options:?}"));
+        }
+    }
+}
+
+/// Nothing is while a grid of rays is traced that looks at a scene.
+fn nothing_is_allocated(scene: &Scene, batch: usize, what: &str) {
     let state = State { point: [0.0, 1.0, 5.0], ..State::default() };
     let rays = rays(&state);
     let mut answers = vec![Answer::default(); rays.len()];
-    for graph in ["glass/advanced_glass.json", "painted/painted.json", "rainbow/rainbow.json"] {
-        for options in engines() {
-            let scene = scene(graph, options);
-            let mut context = Context::new(&scene, options.batch);
-            let mut asked = 0;
-            let allocated = allocations(|| {
-                let before = context.points();
-                context.trace(Trace::Reflection, &[state], &rays, &mut answers);
-                asked = context.points() - before;
-            });
-            assert!(asked > 500, "{graph} is hardly met: {asked} points");
-            assert_eq!(allocated, 0, "{graph}, {options:?}, {asked} points");
+    let mut context = Context::new(scene, batch);
+    let mut asked = 0;
+    let allocated = allocations(|| {
+        let before = context.points();
+        context.trace(Trace::Reflection, &[state], &rays, &mut answers);
+        asked = context.points() - before;
+    });
+    assert!(asked > 500, "{what} is hardly met: {asked} points");
+    assert_eq!(allocated, 0, "{what}, {asked} points");
+}
+
+#[test]
+fn what_is_written_by_hand_allocates_nothing() {
+    let walk = Options { engine: Engine::Walk, ..Options::default() };
+    for name in monoliths::NAMES {
+        for find in [monoliths::find, monoliths::find_same_bits] {
+            let by_hand = || Arc::<dyn Shade>::from(find(name, &[]).unwrap().unwrap());
+            if !by_hand().has_root(RootKind::Material) {
+                continue;
+            }
+            // On the sphere, whose graph is only there to be replaced.
+            let scene =
+                scene("constant/constant_simple.json", |graph, values| match graph.name.as_str() {
+                    "constant_simple" => by_hand(),
+                    _ => Arc::new(Shader::new(Arc::new(graph), values, walk).unwrap()),
+                });
+            nothing_is_allocated(&scene, 64, name);
         }
     }
 }
