@@ -2,13 +2,13 @@ use glam::{Vec4, Vec4Swizzles};
 use phenomenon_compiler::effects::Effect;
 use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::state::State;
+use phenomenon_compiler::state::{Field, State};
 
 use super::arithmetic::Arithmetic;
 use super::asking::Asking;
 use super::pointwise::{Parameter, PointShader};
 
-/// `graphs/floor/checker_floor.json` by hand.
+/// `graphs/floor/checker_floor.json` by hand: tiles smaller than a pixel become their mean.
 #[derive(Clone, Debug)]
 pub struct CheckerFloor {
     /// Colour of the odd tiles.
@@ -54,8 +54,12 @@ impl PointShader for CheckerFloor {
         asking: &mut Asking<'_>,
     ) -> Shaded {
         let [x, _, z] = point.point;
-        let steps = (x / self.size).floor() + (z / self.size).floor();
-        let tile = if steps.rem_euclid(2.0) == 0.0 { self.light } else { self.dark };
+        let [long_x, _, long_z] = asking.look_up::<3>(Field::DpDx, point);
+        let [short_x, _, short_z] = asking.look_up::<3>(Field::DpDy, point);
+        let across = A::mean_sign(x / self.size, [long_x / self.size, short_x / self.size]);
+        let along = A::mean_sign(z / self.size, [long_z / self.size, short_z / self.size]);
+        let odd = (across * along * -0.5 + 0.5).clamp(0.0, 1.0);
+        let tile = A::mix(self.light, self.dark, odd);
         let lit = asking.matt::<A>(point, tile.xyz());
         let color = tile.xyz() * self.ambient.xyz() + lit;
         Shaded { color: color.extend(tile.w).into(), ok: true }

@@ -17,7 +17,7 @@ const FILES: [(&str, &str); 2] = [
     ),
 ];
 
-/// The scene a graph is shown in: the graph's material on a sphere over a chequered floor.
+/// The scene a graph is shown in: the graph's material on a sphere, balls beside it, on a chequered floor.
 pub fn default_scene() -> SceneFile {
     read_scene("scenes/default.json", SCENE.as_bytes(), Path::new("scenes"))
 }

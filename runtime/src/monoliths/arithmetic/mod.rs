@@ -12,6 +12,7 @@ mod frames;
 mod kinds;
 mod lobes;
 mod numbers;
+mod patterns;
 mod whole;
 
 pub use boundaries::Boundaries;
@@ -21,4 +22,5 @@ pub use frames::{Frame, Frames};
 pub use kinds::{SameBits, Std};
 pub use lobes::{Facing, Lobes};
 pub use numbers::{Numbers, Value};
+pub use patterns::Patterns;
 pub use whole::Arithmetic;
