@@ -23,8 +23,14 @@ const GRAPHS: [&str; 3] = [
 ];
 
 /// Further ones written by hand, and tried in fewer ways.
-const BY_HAND: [&str; 3] =
-    ["graphs/aniso/aniso_brdf.json", "graphs/sunglasses/sunglasses.json", "graphs/xray/xray.json"];
+const BY_HAND: [&str; 6] = [
+    "graphs/aniso/aniso_brdf.json",
+    "graphs/cd/cd.json",
+    "graphs/silk/silk.json",
+    "graphs/snow/snow.json",
+    "graphs/sunglasses/sunglasses.json",
+    "graphs/xray/xray.json",
+];
 
 /// With a texture, an array, a struct and a list of shaders; nobody wrote it by hand.
 const PAINTED: &str = "graphs/painted/painted.json";

@@ -20,13 +20,16 @@ macro_rules! built_in {
 }
 
 /// The shipped graphs there are monoliths of, in the order of their names.
-const SHIPPED: [(&str, &str); 9] = built_in![
+const SHIPPED: [(&str, &str); 12] = built_in![
     "graphs/glass/advanced_glass.json",
     "graphs/aniso/aniso_brdf.json",
+    "graphs/cd/cd.json",
     "graphs/floor/checker_floor.json",
     "graphs/constant/constant_simple.json",
     "graphs/sky/gradient_sky.json",
     "graphs/rainbow/rainbow.json",
+    "graphs/silk/silk.json",
+    "graphs/snow/snow.json",
     "graphs/sunglasses/sunglasses.json",
     "graphs/mirror/tinted_mirror.json",
     "graphs/xray/xray.json",

@@ -6,8 +6,8 @@ use phenomenon_compiler::values::{Literal, Type};
 use super::arithmetic::{Arithmetic, SameBits, Std};
 use super::pointwise::{Parameter, PointShader, Pointwise};
 use super::{
-    AdvancedGlass, AnisoBrdf, CheckerFloor, ConstantSimple, GradientSky, Rainbow, Sunglasses,
-    TintedMirror, Xray,
+    AdvancedGlass, AnisoBrdf, Cd, CheckerFloor, ConstantSimple, GradientSky, Rainbow, Silk, Snow,
+    Sunglasses, TintedMirror, Xray,
 };
 
 /// Why a monolith cannot take a value for a parameter.
@@ -37,10 +37,13 @@ pub enum MonolithError {
 pub const NAMES: &[&str] = &[
     "advanced_glass",
     "aniso_brdf",
+    "cd",
     "checker_floor",
     "constant_simple",
     "gradient_sky",
     "rainbow",
+    "silk",
+    "snow",
     "sunglasses",
     "tinted_mirror",
     "xray",
@@ -72,10 +75,13 @@ fn found<A: Arithmetic>(
     Some(match name {
         "advanced_glass" => made::<AdvancedGlass, A>(name, overrides),
         "aniso_brdf" => made::<AnisoBrdf, A>(name, overrides),
+        "cd" => made::<Cd, A>(name, overrides),
         "checker_floor" => made::<CheckerFloor, A>(name, overrides),
         "constant_simple" => made::<ConstantSimple, A>(name, overrides),
         "gradient_sky" => made::<GradientSky, A>(name, overrides),
         "rainbow" => made::<Rainbow, A>(name, overrides),
+        "silk" => made::<Silk, A>(name, overrides),
+        "snow" => made::<Snow, A>(name, overrides),
         "sunglasses" => made::<Sunglasses, A>(name, overrides),
         "tinted_mirror" => made::<TintedMirror, A>(name, overrides),
         "xray" => made::<Xray, A>(name, overrides),

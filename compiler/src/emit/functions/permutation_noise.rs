@@ -6,7 +6,7 @@ use super::gradient_noise::{between, fade, signed};
 use crate::emit::{Emit, Int, Mask, Real, Table, Vector};
 
 /// The published permutation of the numbers below 256.
-static PERMUTATION: [f32; 256] = [
+pub static PERMUTATION: [f32; 256] = [
     151.0, 160.0, 137.0, 91.0, 90.0, 15.0, 131.0, 13.0, 201.0, 95.0, 96.0, 53.0, 194.0, 233.0, 7.0,
     225.0, 140.0, 36.0, 103.0, 30.0, 69.0, 142.0, 8.0, 99.0, 37.0, 240.0, 21.0, 10.0, 23.0, 190.0,
     6.0, 148.0, 247.0, 120.0, 234.0, 75.0, 0.0, 26.0, 197.0, 62.0, 94.0, 252.0, 219.0, 203.0,

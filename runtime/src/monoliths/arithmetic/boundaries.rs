@@ -1,6 +1,8 @@
 use glam::Vec3;
+use phenomenon_compiler::emit::Real;
 use phenomenon_compiler::emit::scalar::{F32, Scalar};
 use phenomenon_compiler::nodes::fresnel::fresnel_dielectric::reflectance;
+use phenomenon_compiler::nodes::fresnel::fresnel_schlick::schlick;
 use phenomenon_compiler::nodes::rays::reflection_direction::mirrored;
 use phenomenon_compiler::nodes::rays::refraction_direction::refracted;
 
@@ -10,6 +12,9 @@ use super::kinds::{SameBits, Std, vec3, vector};
 pub trait Boundaries {
     /// Share of unpolarised light reflected at a boundary, from the index `n1` to `n2`.
     fn fresnel(n1: f32, n2: f32, cosine: f32) -> f32;
+    /// Schlick's share of light reflected, for each component of a colour: `head_on` there, all of it at grazing
+    /// angles.
+    fn schlick(head_on: Vec3, cosine: f32) -> Vec3;
     /// Direction of the mirrored ray, lifted onto the surface should a bent normal send it below.
     fn reflect(direction: Vec3, normal: Vec3, surface: Vec3) -> Vec3;
     /// Direction of the refracted ray, and whether it is totally reflected instead.
@@ -32,6 +37,11 @@ impl Boundaries for Std {
         let rs = (n1 * cosine - n2 * refracted) / (n1 * cosine + n2 * refracted);
         let rp = (n2 * cosine - n1 * refracted) / (n2 * cosine + n1 * refracted);
         0.5 * (rs * rs + rp * rp)
+    }
+
+    #[inline]
+    fn schlick(head_on: Vec3, cosine: f32) -> Vec3 {
+        head_on + (1.0 - head_on) * (1.0 - cosine.clamp(0.0, 1.0)).powi(5)
     }
 
     #[inline]
@@ -64,6 +74,12 @@ impl Boundaries for SameBits {
     #[inline(always)]
     fn fresnel(n1: f32, n2: f32, cosine: f32) -> f32 {
         reflectance(Scalar, F32(n1), F32(n2), F32(cosine)).0
+    }
+
+    #[inline(always)]
+    fn schlick(head_on: Vec3, cosine: f32) -> Vec3 {
+        let cosine = F32(cosine).saturate();
+        Vec3::from(head_on.to_array().map(|f0| schlick(F32(f0), F32(1.0), cosine).saturate().0))
     }
 
     #[inline(always)]

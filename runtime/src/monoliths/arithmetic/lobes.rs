@@ -99,6 +99,6 @@ impl Lobes for SameBits {
 
 /// A light and a viewer as the compiler's functions take them.
 #[inline(always)]
-fn facets(facing: &Facing) -> Facets<F32> {
+pub(super) fn facets(facing: &Facing) -> Facets<F32> {
     Facets::of(vector(facing.normal), vector(facing.light), vector(facing.ray))
 }

@@ -6,21 +6,29 @@
 //! needs no function; neither do lengths of way that only decide, such as comparing with 0.
 
 mod boundaries;
+mod bumps;
 mod colors;
 mod directions;
+mod flakes;
 mod frames;
+mod highlights;
 mod kinds;
 mod lobes;
+mod noises;
 mod numbers;
 mod patterns;
 mod whole;
 
 pub use boundaries::Boundaries;
+pub use bumps::Bumps;
 pub use colors::Colors;
 pub use directions::Directions;
+pub use flakes::Flakes;
 pub use frames::{Frame, Frames};
+pub use highlights::Highlights;
 pub use kinds::{SameBits, Std};
 pub use lobes::{Facing, Lobes};
+pub use noises::Noises;
 pub use numbers::{Numbers, Value};
 pub use patterns::Patterns;
 pub use whole::Arithmetic;
