@@ -33,7 +33,8 @@ fn the_default_scene_is_whole() {
         }
     }
     let built = scene.build::<()>(|_| Ok(normals() as Arc<dyn Shade>)).unwrap();
-    assert_eq!(built.primitive_count(), 3);
+    // Three balls, and two triangles of the floor.
+    assert_eq!(built.primitive_count(), 5);
 }
 
 #[test]
