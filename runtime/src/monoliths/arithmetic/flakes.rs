@@ -62,6 +62,9 @@ impl Flakes for SameBits {
 /// Half of a flake's edge, of the edge of its cell.
 const REACH: f32 = 1.5 / 1.732_050_8;
 
+/// A square above that of half a flake's diagonal: none reaches as far.
+const OUT_OF_REACH: f32 = 2.2501;
+
 /// The cell whose flake shows at a place, of its own and those beside it: that of the greatest height.
 fn topmost(place: Vec3, coverage: f32) -> Option<IVec3> {
     let often = frequency(coverage);
@@ -70,12 +73,12 @@ fn topmost(place: Vec3, coverage: f32) -> Option<IVec3> {
     let (mut greatest, mut shown) = (0.0, None);
     for number in 0..27 {
         let step = IVec3::new(number / 9 - 1, number / 3 % 3 - 1, number % 3 - 1);
-        let cell = own.wrapping_add(step);
-        if random(&cell.to_array()) > often {
+        let (cell, from) = (own.wrapping_add(step), near - (step.as_vec3() + 0.5));
+        if from.length_squared() > OUT_OF_REACH || random(&cell.to_array()) > often {
             continue;
         }
         let height = random(&[cell.x, cell.y, cell.z, 3]);
-        if height >= greatest && covers(cell, near - (step.as_vec3() + 0.5)) {
+        if height >= greatest && covers(cell, from) {
             (greatest, shown) = (height, Some(cell));
         }
     }
@@ -87,7 +90,7 @@ fn topmost(place: Vec3, coverage: f32) -> Option<IVec3> {
 fn frequency(coverage: f32) -> f32 {
     let x = coverage.clamp(0.0, 1.0);
     let above = (x * -26.197_718 + 26.396_639) * x;
-    let below = ((x * 85.538_57 - 102.350_694) * x - 101.426_348) * x + 118.450_823;
+    let below = ((x * 85.538_57 - 102.350_69) * x - 101.426_35) * x + 118.450_82;
     above / below
 }
 
