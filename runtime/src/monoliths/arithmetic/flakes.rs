@@ -27,8 +27,8 @@ impl Flakes for Std {
     fn flake(place: Vec3, coverage: f32, roughness: f32, normal: Vec3) -> Option<Vec3> {
         let cell = topmost(place, coverage)?;
         // The slopes of facets of a GGX surface.
-        let round = random(&[cell.x, cell.y, cell.z, 2, 0]) * TAU;
-        let drawn = random(&[cell.x, cell.y, cell.z, 2, 1]);
+        let round = random([cell.x, cell.y, cell.z, 2, 0]) * TAU;
+        let drawn = random([cell.x, cell.y, cell.z, 2, 1]);
         let sine = roughness * roughness * drawn.sqrt();
         let tangent = Self::any_tangent(normal);
         let across = tangent * round.cos() + normal.cross(tangent) * round.sin();
@@ -74,10 +74,10 @@ fn topmost(place: Vec3, coverage: f32) -> Option<IVec3> {
     for number in 0..27 {
         let step = IVec3::new(number / 9 - 1, number / 3 % 3 - 1, number % 3 - 1);
         let (cell, from) = (own.wrapping_add(step), near - (step.as_vec3() + 0.5));
-        if from.length_squared() > OUT_OF_REACH || random(&cell.to_array()) > often {
+        if from.length_squared() > OUT_OF_REACH || random(cell.to_array()) > often {
             continue;
         }
-        let height = random(&[cell.x, cell.y, cell.z, 3]);
+        let height = random([cell.x, cell.y, cell.z, 3]);
         if height >= greatest && covers(cell, from) {
             (greatest, shown) = (height, Some(cell));
         }
@@ -97,7 +97,7 @@ fn frequency(coverage: f32) -> f32 {
 /// Whether the flake of a cell covers a place, given from the middle of the cell. It is turned about z, and
 /// mirrored so that z may point anywhere (Arvo 1992).
 fn covers(cell: IVec3, from: Vec3) -> bool {
-    let numbered = |number| random(&[cell.x, cell.y, cell.z, number]);
+    let numbered = |number| random([cell.x, cell.y, cell.z, number]);
     let (sine, cosine) = (numbered(0) * TAU).sin_cos();
     let (round_sine, round_cosine) = (numbered(1) * TAU).sin_cos();
     let up = numbered(2) * 2.0;
@@ -114,15 +114,15 @@ fn covers(cell: IVec3, from: Vec3) -> bool {
 }
 
 /// A random number of integers, 0 to 1.
-fn random(numbers: &[i32]) -> f32 {
+fn random<const N: usize>(numbers: [i32; N]) -> f32 {
     hash(numbers) as f32 / 4_294_967_296.0
 }
 
 /// 32 bits of three to five integers (Jenkins 2006, lookup3).
-fn hash(numbers: &[i32]) -> u32 {
-    let seed = 0xdead_beef_u32.wrapping_add(4 * numbers.len() as u32 + 13);
+fn hash<const N: usize>(numbers: [i32; N]) -> u32 {
+    let seed = 0xdead_beef_u32.wrapping_add(4 * N as u32 + 13);
     let [mut a, mut b, mut c] = [0, 1, 2].map(|at| seed.wrapping_add(numbers[at] as u32));
-    if numbers.len() > 3 {
+    if N > 3 {
         let stir = |x: &mut u32, y: u32, z: &mut u32, by: u32| {
             *x = x.wrapping_sub(*z) ^ z.rotate_left(by);
             *z = z.wrapping_add(y);
@@ -145,4 +145,44 @@ fn hash(numbers: &[i32]) -> u32 {
     finish(&mut b, a, 14);
     finish(&mut c, b, 24);
     c
+}
+
+#[cfg(test)]
+mod tests {
+    use phenomenon_compiler::testing::random::Random;
+
+    use super::*;
+
+    #[test]
+    fn both_kinds_see_the_same_flakes() {
+        let mut random = Random::new(5);
+        let normal = Vec3::new(0.48, -0.6, 0.64);
+        let (mut seen, mut apart) = (0, 0);
+        for number in 0..8_000 {
+            let reach = if number % 2 == 0 { 20.0 } else { 3000.0 };
+            let at = Vec3::from_array([0; 3].map(|_| (random.unit() * 2.0 - 1.0) * reach));
+            let coverage = random.unit();
+            let roughness = random.unit();
+            let by_std = Std::flake(at, coverage, roughness, normal);
+            let same = SameBits::flake(at, coverage, roughness, normal);
+            seen += usize::from(same.is_some());
+            let agree = match (by_std, same) {
+                (Some(by_std), Some(same)) => by_std.abs_diff_eq(same, 1e-5),
+                (by_std, same) => by_std == same,
+            };
+            apart += usize::from(!agree);
+        }
+        assert!((3_200..4_800).contains(&seen), "{seen}");
+        // At the rim of a flake.
+        assert!(apart <= 3, "{apart}");
+    }
+
+    #[test]
+    fn sizes_double_in_whole_steps() {
+        for (least, expected) in
+            [(0.0, 1.0), (1.0, 1.0), (1.01, 2.0), (2.0, 2.0), (2.5, 4.0), (700.0, 1024.0)]
+        {
+            assert_eq!([Std::doubled(least), SameBits::doubled(least)], [expected; 2]);
+        }
+    }
 }

@@ -99,3 +99,29 @@ fn gradient(number: usize, x: f32, y: f32, z: f32) -> f32 {
     let first = if number & 1 == 0 { first } else { -first };
     if number & 2 == 0 { first + second } else { first - second }
 }
+
+#[cfg(test)]
+mod tests {
+    use phenomenon_compiler::testing::random::Random;
+
+    use super::*;
+
+    #[test]
+    fn both_kinds_have_the_same_noise() {
+        // Each is known to 9e-6: the mixes of corners cancel.
+        let mut random = Random::new(11);
+        let mut coordinate = |reach: f32| (random.unit() * 2.0 - 1.0) * reach;
+        for reach in [0.5, 3.0, 300.0, 70_000.0] {
+            for _ in 0..2000 {
+                let at = Vec3::new(coordinate(reach), coordinate(reach), coordinate(reach));
+                for at in [at, at.floor(), at.with_y(at.y.floor())] {
+                    let (by_std, same) = (Std::perlin(at), SameBits::perlin(at));
+                    assert!((by_std - same).abs() < 1e-5, "{by_std} {same} at {at}");
+                }
+                let [by_std, same] =
+                    [Std::perlin_octaves(at, 3, 0.6), SameBits::perlin_octaves(at, 3, 0.6)];
+                assert!((by_std - same).abs() < 2e-5, "{by_std} {same} at {at}");
+            }
+        }
+    }
+}
