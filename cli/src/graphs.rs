@@ -61,14 +61,18 @@ impl EngineArguments {
 pub struct Told<'a> {
     /// `--allow`: codes of which nothing is said.
     pub allow: &'a [Code],
+    /// Whether errors alone are told.
+    pub errors_only: bool,
 }
 
 impl Told<'_> {
     /// Writes findings to standard error, but for what is allowed.
     pub fn tell(self, findings: &[Finding], omitted: usize) {
         let told = findings.iter().filter(|finding| {
-            finding.severity == Severity::Error || !self.allow.contains(&finding.code)
+            let allowed = self.errors_only || self.allow.contains(&finding.code);
+            finding.severity == Severity::Error || !allowed
         });
+        let omitted = if self.errors_only { 0 } else { omitted };
         report::tell(&told.cloned().collect::<Vec<_>>(), omitted);
     }
 
@@ -130,6 +134,20 @@ pub fn bind(
 /// The failure of a `--preset`; `object` stands before the name on the command line.
 pub fn no_preset(object: &str, error: &NoSuchPreset) -> Failure {
     Failure::new(format!("--preset {object}{}: {error}", error.name), &error.advice.help)
+}
+
+/// Fails where monoliths are to run instead of graphs, for something that looks at nodes.
+///
+/// # Errors
+/// They are.
+pub fn require_nodes(engine: &EngineArguments, what: &str) -> Result<(), Failure> {
+    match engine.engine {
+        EngineChoice::Monolith => Err(Failure::new(
+            format!("{what} with --engine monolith: what a monolith asks for is written into it"),
+            "choose walk, batch or jit",
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// The failure of a `--set`; `object` stands before the name on the command line: `floor:`, or nothing.

@@ -19,7 +19,8 @@ use std::process::ExitCode;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
-    bench, check, compare, completions, eval, explain, fmt, lsp, man, nodes, render, schema, show,
+    bench, check, compare, completions, effects, eval, explain, fmt, lsp, man, nodes, render,
+    schema, show,
 };
 use crate::failure::{Failure, Outcome};
 
@@ -43,6 +44,7 @@ enum Command {
     Check(check::Arguments),
     Compare(compare::Arguments),
     Completions(completions::Arguments),
+    Effects(effects::Arguments),
     Eval(eval::Arguments),
     Explain(explain::Arguments),
     Fmt(fmt::Arguments),
@@ -102,6 +104,7 @@ fn run(command: Command) -> Result<Outcome, Failure> {
         Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments, grammar()),
+        Command::Effects(arguments) => effects::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Fmt(arguments) => fmt::run(&arguments),

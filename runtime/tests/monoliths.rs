@@ -312,7 +312,8 @@ fn the_glass_agrees_at_its_limits() {
     compare("advanced_glass", &[set("depth", 0.0)]);
     let opaque = compare("advanced_glass", &[set("opacity", 1.0)]);
     let clear = compare("advanced_glass", &[]);
-    assert!(opaque[&Effect::TraceRefraction] < clear[&Effect::TraceRefraction]);
+    assert!(clear.contains_key(&Effect::TraceRefraction));
+    assert!(!opaque.contains_key(&Effect::TraceRefraction));
 }
 
 fn count(name: &str, value: i32) -> (String, Literal) {
@@ -340,8 +341,9 @@ fn brushed_metal_agrees_at_its_limits() {
 fn sunglasses_agree_at_their_limits() {
     let seen = compare("sunglasses", &[]);
     let closed = compare("sunglasses", &[set("refractivity", 0.0)]);
-    // What leaves the glass passes on in any case.
-    assert!(closed[&Effect::TraceRefraction] < seen[&Effect::TraceRefraction] / 2);
+    // What lets no ray in lets none out.
+    assert!(seen.contains_key(&Effect::TraceRefraction));
+    assert!(!closed.contains_key(&Effect::TraceRefraction));
     let mirror = compare("sunglasses", &[set("reflectivity", 1.0), set("rainbow", 0.0)]);
     assert!(!mirror.contains_key(&Effect::LightColor));
     compare("sunglasses", &[set("reflectivity", 0.0), set("rainbow", 1.0)]);
@@ -401,8 +403,9 @@ fn the_disc_agrees_at_its_limits() {
 fn the_snow_agrees_at_its_limits() {
     let thick = compare("snow", &[set("transparency", 0.0), set("glitter", 1.0)]);
     let thin = compare("snow", &[set("transparency", 1.0), set("depth", 20.0)]);
-    // From inside it only passes on, whatever shows through.
-    assert!(thick[&Effect::TraceRefraction] < thin[&Effect::TraceRefraction] / 2);
+    // What lets no ray in lets none out.
+    assert!(thin.contains_key(&Effect::TraceRefraction));
+    assert!(!thick.contains_key(&Effect::TraceRefraction));
     compare("snow", &[set("transparency", 1.0), set("depth", 0.001), set("ior", 1.0)]);
     compare("snow", &[set("glitter", 0.0), set("grain", 0.0)]);
     compare("snow", &[set("crystal", 0.3), set("grain", 0.05), set("grain_size", 0.3)]);

@@ -4,6 +4,7 @@ pub mod bench;
 pub mod check;
 pub mod compare;
 pub mod completions;
+pub mod effects;
 pub mod eval;
 pub mod explain;
 pub mod fmt;

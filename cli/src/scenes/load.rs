@@ -11,7 +11,7 @@ use phenomenon_compiler::engine::{Engine, Evaluations, Options, Shader};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_runtime::link::{
-    Changes, Linker, Note, Remark, Shading, ShowNodeError, Subject, shown_node,
+    Changes, Ledger, Linker, Note, Remark, ShaderUse, Shading, ShowNodeError, Subject, shown_node,
 };
 use phenomenon_runtime::scene::Scene;
 use phenomenon_runtime::scene_file::{
@@ -36,6 +36,7 @@ pub struct Picture {
     /// Time spent reading and checking, in milliseconds.
     pub check_milliseconds: f64,
     shaders: Vec<Arc<Shader>>,
+    uses: Vec<ShaderUse>,
 }
 
 impl Picture {
@@ -47,6 +48,14 @@ impl Picture {
     /// Time spent compiling, in milliseconds.
     pub fn compile_milliseconds(&self) -> f64 {
         self.shaders.iter().map(|shader| shader.compile_milliseconds()).sum()
+    }
+
+    /// What it calls for.
+    ///
+    /// # Errors
+    /// None, for graphs that were compiled.
+    pub fn ledger(&self) -> Result<Ledger, Failure> {
+        Ledger::of(&self.scene, &self.shaders, &self.uses).map_err(|error| Failure::new(error, ""))
     }
 
     /// Evaluations of nodes by each engine, if they were counted; a monolith has no nodes.
@@ -96,7 +105,7 @@ pub fn load(
     flags: &Flags<'_>,
 ) -> Result<Picture, Failure> {
     let start = Instant::now();
-    let told = Told { allow: flags.allow };
+    let told = Told { allow: flags.allow, errors_only: flags.silent };
     let document = opened(path, told)?;
     let mut changes = Changes::default();
     let (mut scene, lights, subject) = if is_scene(&document) {
@@ -123,7 +132,8 @@ pub fn load(
         library,
         shading: match engine.engine.compiled() {
             Some(compiled) => {
-                Shading::Compiled(Options { count: flags.count, ..engine.options(compiled) })
+                let Flags { count, asking, .. } = *flags;
+                Shading::Compiled(Options { count, asking, ..engine.options(compiled) })
             }
             None => Shading::ByHand(engine.options(Engine::Auto)),
         },
@@ -139,18 +149,21 @@ pub fn load(
         options: scene.options,
         check_milliseconds: whole - linked.compile_milliseconds,
         shaders: linked.shaders,
+        uses: linked.uses,
     })
 }
 
 fn tell(told: Told<'_>, what: &Remark<'_>) {
     match what {
         Remark::Findings { findings, omitted } => told.tell(findings, *omitted),
-        Remark::Note(note) => tell_note(note),
+        Remark::Note(note) => tell_note(told, note),
     }
 }
 
-fn tell_note(note: &Note) {
-    terminal::tell(&format!("note: {note}"));
+fn tell_note(told: Told<'_>, note: &Note) {
+    if !told.errors_only {
+        terminal::tell(&format!("note: {note}"));
+    }
 }
 
 fn opened(path: &Path, told: Told<'_>) -> Result<Document, Failure> {
@@ -189,7 +202,7 @@ fn subject(
     engine: &EngineArguments,
     flags: &Flags<'_>,
 ) -> Result<Subject, Failure> {
-    let told = Told { allow: flags.allow };
+    let told = Told { allow: flags.allow, errors_only: flags.silent };
     let graph = told.checked(path, check_graph(&document, library))?;
     let document = Arc::new(document);
     let preset = match flags.preset {
@@ -201,7 +214,7 @@ fn subject(
         }
     };
     let values = graphs::bind(&graph, preset, flags.set)?;
-    Note::idle(&graph).iter().for_each(tell_note);
+    Note::idle(&graph).iter().for_each(|note| tell_note(told, note));
     let graph = match flags.node {
         Some(_) if engine.engine == EngineChoice::Monolith => {
             return Err(graphs::not_shown(&ShowNodeError::ByHand));
@@ -210,7 +223,7 @@ fn subject(
             .map_err(|error| graphs::not_shown(&error))?,
         None => graph,
     };
-    Note::unseen(&graph).iter().for_each(tell_note);
+    Note::unseen(&graph).iter().for_each(|note| tell_note(told, note));
     Ok(Subject { graph, document, values })
 }
 

@@ -4,6 +4,7 @@ mod bench;
 mod check;
 mod compare;
 mod completions;
+mod effects;
 mod eval;
 mod input;
 mod meshes;

@@ -2,6 +2,7 @@
 
 use super::jit::Generator;
 use crate::graph::RootKind;
+use crate::specialise::Asking;
 
 /// Which engine runs a graph.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -47,6 +48,8 @@ pub struct Options {
     /// Whether evaluations of nodes are counted; see [`Shader::evaluations`](crate::engine::Shader::evaluations).
     /// Takes time.
     pub count: bool,
+    /// Which inputs are asked for: with [`Asking::All`] points also ask what no value depends on.
+    pub asking: Asking,
 }
 
 impl Default for Options {
@@ -59,6 +62,7 @@ impl Default for Options {
             roots: &RootKind::ALL,
             called_rays_only: false,
             count: false,
+            asking: Asking::Guarded,
         }
     }
 }

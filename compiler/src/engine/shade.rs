@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::effects::{EffectSet, Renderer};
 use crate::graph::RootKind;
-use crate::state::State;
+use crate::state::{Field, FieldSet, State};
 use crate::values::Texture;
 
 use super::links::Links;
@@ -25,6 +25,11 @@ pub trait Shade: Send + Sync {
 
     /// The effects a root may ask for; the renderer need not provide others.
     fn effects(&self, root: RootKind) -> EffectSet;
+
+    /// The fields of the state that a root may read; the renderer need not work out others.
+    fn fields(&self, _root: RootKind) -> FieldSet {
+        Field::ALL.iter().copied().collect()
+    }
 
     /// The textures it may read, whatever the root: a renderer opens them before it renders.
     fn textures(&self) -> BTreeSet<Texture> {

@@ -8,8 +8,10 @@ use std::time::Instant;
 use crate::effects::{EffectSet, Renderer};
 use crate::graph::{BindError, Graph, Root, RootKind};
 use crate::schedule::{Schedule, schedule};
-use crate::specialise::{InstanceKind, SpecialiseError, Specialised, Uniforms, expand};
-use crate::state::{RayType, State};
+use crate::specialise::{
+    Account, InstanceKind, SpecialiseError, Specialised, Uniforms, expand_asking,
+};
+use crate::state::{FieldSet, RayType, State};
 use crate::values::{Literal, Texture};
 
 use super::evaluations::Evaluations;
@@ -181,6 +183,24 @@ impl Shader {
         [("walk", count(walk)), ("batch", count(batch)), ("jit", count(jit))]
     }
 
+    /// What each root asks of a renderer, node by node, and why it does not ask for the rest.
+    ///
+    /// # Errors
+    /// None, for a graph that was compiled.
+    pub fn accounts(&self) -> Result<Vec<Account>, ShaderError> {
+        let account = |program: &Compiled| {
+            let Some(root) = self.graph.root(program.root) else { return Ok(None) };
+            let ray_type = program.ray_type;
+            // A root that does not look at the ray type is the same for all.
+            let of = ray_type.unwrap_or(program.root.ray_types()[0]);
+            let words = program.uniforms.values();
+            let specialised = &program.code.specialised;
+            let parts = specialised.account(&self.graph, root, of, &self.values, words)?;
+            Ok(Some(Account { root: program.root, ray_type, parts }))
+        };
+        self.programs.iter().filter_map(|program| account(program).transpose()).collect()
+    }
+
     /// The schedules of all roots, as text.
     pub fn print(&self) -> String {
         self.print_with(|schedule, _| schedule.to_string())
@@ -286,9 +306,9 @@ impl Shader {
         ray_type: RayType,
         links: FirstLinks,
     ) -> Result<Compiled, ShaderError> {
-        let specialised = expand(&self.graph, root, ray_type, &self.values)?;
+        let Options { engine, simd, asking, .. } = self.options;
+        let specialised = expand_asking(&self.graph, root, ray_type, &self.values, asking)?;
         let uniforms = specialised.uniforms.clone();
-        let Options { engine, simd, .. } = self.options;
         let walk = (engine == Engine::Walk).then(|| walk::Code::new(&specialised, simd));
         let schedule = (engine != Engine::Walk).then(|| schedule(&specialised));
         let (plan, asked) = (OnceLock::new(), AtomicBool::new(false));
@@ -354,6 +374,12 @@ impl Shade for Shader {
                 InstanceKind::Plain(_) | InstanceKind::Loop { .. } => None,
             })
             .collect()
+    }
+
+    fn fields(&self, root: RootKind) -> FieldSet {
+        let programs = self.programs.iter().filter(|program| program.root == root);
+        let fields = programs.flat_map(|program| &program.code.specialised.fields);
+        fields.map(|(field, _)| *field).collect()
     }
 
     fn textures(&self) -> BTreeSet<Texture> {

@@ -8,6 +8,7 @@ use crate::state::{Field, Reduction};
 use crate::storage::Source;
 use crate::values::{Texture, Type};
 
+use super::decisions::Decisions;
 use super::{EpochId, Epochs, InstanceId, LightListId, LightTableId, TexturePosition, Uniforms};
 
 /// One evaluation of a node: at most once per point and pass through its epoch.
@@ -155,6 +156,8 @@ pub struct Specialised {
     pub tables: PrimaryMap<LightTableId, LightTable>,
     /// Textures that are read.
     pub textures: PrimaryMap<TexturePosition, Texture>,
+    /// What was left out.
+    pub decisions: Decisions,
 }
 
 impl Specialised {

@@ -196,6 +196,11 @@ impl<'a> Views<'a> {
         }
     }
 
+    /// Whether nothing is given for an input.
+    pub fn is_default(&self, view: usize, input: usize) -> bool {
+        self.views[view].bindings[input] == Binding::Default
+    }
+
     /// What an input gets its value from.
     pub fn resolve(&self, view: usize, input: usize) -> Resolved {
         match &self.views[view].bindings[input] {

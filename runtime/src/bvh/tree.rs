@@ -88,6 +88,14 @@ impl Tree {
         self.primitives.len()
     }
 
+    /// Bytes it takes in memory.
+    pub fn bytes(&self) -> u64 {
+        let nodes = size_of_val(self.nodes.nodes.as_slice());
+        let numbers = size_of_val(self.nodes.primitive_indices.as_slice());
+        let held = size_of_val(self.primitives.as_slice()) + size_of_val(self.ids.as_slice());
+        (nodes + numbers + held) as u64
+    }
+
     /// Whether it holds none.
     pub fn is_empty(&self) -> bool {
         self.primitives.is_empty()

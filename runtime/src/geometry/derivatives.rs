@@ -113,6 +113,7 @@ mod tests {
                 &Primitive::Sphere(sphere),
                 &Shape::Sphere(sphere),
                 0,
+                true,
             );
             (surface.position, surface.uv.map(f64::from))
         };

@@ -268,28 +268,31 @@ impl Mesh {
         self.triangles[number].map(|vertex| self.positions[vertex as usize])
     }
 
-    /// Unit shading normal, in the hemisphere of the geometric one, and surface coordinates at the
-    /// barycentric weights of triangle `number`.
-    pub(super) fn attributes(
-        &self,
-        number: u32,
-        weights: [f64; 3],
-        normal_geom: DVec3,
-    ) -> (DVec3, [f32; 2]) {
-        let indices = self.triangles[number as usize];
-        let uv = match self.uvs.is_empty() {
-            true => [weights[1] as f32, weights[2] as f32],
-            false => [0, 1].map(|axis| {
-                let of = |at: usize| f64::from(self.uvs[indices[at] as usize][axis]) * weights[at];
-                (of(0) + of(1) + of(2)) as f32
-            }),
-        };
+    /// The unit shading normal at a place of triangle `number` with these barycentric weights, in the hemisphere of
+    /// the geometric one.
+    #[inline]
+    pub(super) fn normal(&self, number: u32, weights: [f64; 3], normal_geom: DVec3) -> DVec3 {
         if self.normals.is_empty() {
-            return (normal_geom, uv);
+            return normal_geom;
         }
+        let indices = self.triangles[number as usize];
         let of = |at: usize| double(self.normals[indices[at] as usize]) * weights[at];
         let normal = unit(of(0) + of(1) + of(2)).unwrap_or(normal_geom);
-        (if normal.dot(normal_geom) < 0.0 { -normal } else { normal }, uv)
+        if normal.dot(normal_geom) < 0.0 { -normal } else { normal }
+    }
+
+    /// The surface coordinates at a place of triangle `number` with these barycentric weights; the weights themselves
+    /// where the mesh has none.
+    #[inline]
+    pub(super) fn coordinates(&self, number: u32, weights: [f64; 3]) -> [f32; 2] {
+        if self.uvs.is_empty() {
+            return [weights[1] as f32, weights[2] as f32];
+        }
+        let indices = self.triangles[number as usize];
+        [0, 1].map(|axis| {
+            let of = |at: usize| f64::from(self.uvs[indices[at] as usize][axis]) * weights[at];
+            (of(0) + of(1) + of(2)) as f32
+        })
     }
 
     /// A rectangle in the plane y = 0, `width` along x and `depth` along z, round the origin, its

@@ -35,13 +35,14 @@ pub struct Surface {
 
 impl Surface {
     /// Works out the surface where the ray, by its origin and direction, met `primitive`, number
-    /// `number` of an object of `shape`.
+    /// `number` of an object of `shape`; its coordinates are 0 unless `coordinates` are wanted.
     pub fn at(
         (origin, direction): (DVec3, DVec3),
         hit: &RawHit,
         primitive: &Primitive,
         shape: &Shape,
         number: u32,
+        coordinates: bool,
     ) -> Self {
         match primitive {
             Primitive::Sphere(sphere) => {
@@ -52,7 +53,7 @@ impl Surface {
                     position: point,
                     normal_geom: normal,
                     normal,
-                    uv: sphere_coordinates(normal),
+                    uv: if coordinates { sphere_coordinates(normal) } else { [0.0; 2] },
                 }
             }
             Primitive::Triangle(vertices) => {
@@ -60,9 +61,14 @@ impl Surface {
                 let weights = [1.0 - hit.b1 - hit.b2, hit.b1, hit.b2];
                 let point = a * weights[0] + b * weights[1] + c * weights[2];
                 let normal_geom = unit((b - a).cross(c - a)).unwrap_or(-direction);
-                let (normal, uv) = match shape {
-                    Shape::Mesh(mesh) => mesh.attributes(number, weights, normal_geom),
-                    Shape::Sphere(_) => (normal_geom, [hit.b1 as f32, hit.b2 as f32]),
+                let normal = match shape {
+                    Shape::Mesh(mesh) => mesh.normal(number, weights, normal_geom),
+                    Shape::Sphere(_) => normal_geom,
+                };
+                let uv = match shape {
+                    _ if !coordinates => [0.0; 2],
+                    Shape::Mesh(mesh) => mesh.coordinates(number, weights),
+                    Shape::Sphere(_) => [hit.b1 as f32, hit.b2 as f32],
                 };
                 Surface {
                     point: single(point),

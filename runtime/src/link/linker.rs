@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use phenomenon_compiler::engine::Shader;
 use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::specialise::Asking;
 
 use super::by_hand::ByHand;
 use super::changes::Changes;
 use super::error::LinkError;
-use super::materials::{Materials, Remark, Shading, Subject};
+use super::materials::{Materials, Remark, ShaderUse, Shading, Subject};
 use crate::scene::{Scene, SceneError};
 use crate::scene_file::{BuildError, LightNames, MaterialSource, SceneDescription};
 
@@ -33,6 +34,8 @@ pub struct Linked {
     pub scene: Scene,
     /// Its compiled graphs, one for each use that differs.
     pub shaders: Vec<Arc<Shader>>,
+    /// Where each of them is used, in the same order.
+    pub uses: Vec<ShaderUse>,
     /// Time spent compiling them, in milliseconds.
     pub compile_milliseconds: f64,
 }
@@ -61,10 +64,15 @@ impl Linker<'_> {
             idle_told: self.subject.iter().map(|_| MaterialSource::Subject).collect(),
             by_hand: ByHand::default(),
             shaders: Vec::new(),
+            uses: Vec::new(),
             milliseconds: 0.0,
             tell,
         };
-        let built = scene.build(|material| materials.shader(material));
+        let asking = match self.shading {
+            Shading::Compiled(options) => options.asking,
+            Shading::ByHand(_) => Asking::Guarded,
+        };
+        let built = scene.build_asking(asking, |material| materials.shader(material));
         let built = built.map_err(|error| match error {
             BuildError::Material(error) => error,
             BuildError::Object { object, source } => LinkError::Object { object, error: source },
@@ -73,8 +81,8 @@ impl Linker<'_> {
             }
             BuildError::Scene(error) => LinkError::Scene(error),
         })?;
-        let Materials { shaders, milliseconds, by_hand, tell, .. } = materials;
+        let Materials { shaders, uses, milliseconds, by_hand, tell, .. } = materials;
         by_hand.notes()?.for_each(|note| tell(Remark::Note(note)));
-        Ok(Linked { scene: built, shaders, compile_milliseconds: milliseconds })
+        Ok(Linked { scene: built, shaders, uses, compile_milliseconds: milliseconds })
     }
 }

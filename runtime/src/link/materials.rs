@@ -63,6 +63,15 @@ pub enum Remark<'t> {
     Note(Note),
 }
 
+/// A use of a graph in a scene.
+#[derive(Clone)]
+pub struct ShaderUse {
+    /// The file of the graph.
+    pub document: Arc<Document>,
+    /// The root that is called where rays end: that of a material, or of the environment.
+    pub root: RootKind,
+}
+
 /// Makes shaders of the materials of a scene.
 pub(super) struct Materials<'a> {
     pub(super) library: &'a NodeLibrary,
@@ -79,6 +88,7 @@ pub(super) struct Materials<'a> {
     pub(super) idle_told: HashSet<MaterialSource>,
     pub(super) by_hand: ByHand,
     pub(super) shaders: Vec<Arc<Shader>>,
+    pub(super) uses: Vec<ShaderUse>,
     /// Time spent compiling.
     pub(super) milliseconds: f64,
     pub(super) tell: &'a mut dyn FnMut(Remark<'_>),
@@ -126,8 +136,9 @@ impl Materials<'_> {
             let place = material.place.clone();
             self.note(Note::Black { graph: graph.name.clone(), root, place });
         }
+        let used = ShaderUse { document, root };
         match self.shading {
-            Shading::Compiled(options) => self.compiled(material, graph, &values, options),
+            Shading::Compiled(options) => self.compiled(material, used, graph, &values, options),
             Shading::ByHand(options) => match monoliths::of_graph(&graph, values.clone()) {
                 Ok(monolith) => {
                     self.by_hand.found |= root == RootKind::Material;
@@ -135,7 +146,7 @@ impl Materials<'_> {
                 }
                 Err(NoMonolith::NotWritten(why)) if material.source != MaterialSource::Subject => {
                     self.by_hand.missing(why);
-                    self.compiled(material, graph, &values, options)
+                    self.compiled(material, used, graph, &values, options)
                 }
                 Err(error) => Err(error.into()),
             },
@@ -164,6 +175,7 @@ impl Materials<'_> {
     fn compiled(
         &mut self,
         material: &MaterialRef,
+        used: ShaderUse,
         graph: Graph,
         values: &[(String, Literal)],
         options: Options,
@@ -179,6 +191,7 @@ impl Materials<'_> {
         let shader = Arc::new(shader);
         self.milliseconds += start.elapsed().as_secs_f64() * 1e3;
         self.shaders.push(Arc::clone(&shader));
+        self.uses.push(used);
         Ok(shader)
     }
 

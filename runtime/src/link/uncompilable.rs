@@ -57,9 +57,10 @@ fn finding(error: &SpecialiseError, root: RootKind, document: &Document) -> Find
     }
 }
 
-/// Where a node stands; one of a phenomenon in the graph stands where that is used.
-fn place_of_node(document: &Document, node: &str) -> Option<Place> {
-    let name = node.split('/').next()?;
+/// Where a node stands; one of a phenomenon in the graph stands where that is used, and what an expression of an input
+/// became where the node of that input is.
+pub(super) fn place_of_node(document: &Document, node: &str) -> Option<Place> {
+    let name = node.split(['/', '@']).next()?;
     let nodes = document.root.get("nodes")?;
     let member = nodes.members().iter().find(|member| member.key == name)?;
     Some(document.place_of_key(member))

@@ -104,15 +104,19 @@ impl AdvancedGlass {
         let entering = !point.inv_normal;
         let (direction, total) = refract::<A>(point, self.ior);
         let (mut tint, mut body_share) = (Vec3::ONE, 0.0);
-        if entering || total {
+        let opaque = self.opacity >= 1.0;
+        if entering || total && !opaque {
             let share = self.depth_share::<A>(point, direction, AHEAD, asking);
             tint = self.passed::<A>(share);
             body_share = if entering { A::mix(self.opacity, 1.0, share) } else { 0.0 };
         }
         let (mut seen, mut body) = (Vec4::ZERO, Vec4::ZERO);
         if body_share != 1.0 {
-            seen = asking.see_or_sky(Trace::Refraction, point, direction, THROUGH);
-            seen = filtered(seen, tint);
+            seen = Vec4::W;
+            if !opaque {
+                seen = asking.see_or_sky(Trace::Refraction, point, direction, THROUGH);
+                seen = filtered(seen, tint);
+            }
         }
         if body_share != 0.0 {
             body = asking.matt::<A>(point, tint).extend(1.0);

@@ -99,8 +99,9 @@ impl PointShader for Snow {
 impl Snow {
     #[inline(always)]
     fn material<A: Arithmetic>(&self, point: &State, asking: &mut Asking<'_>) -> Vec4 {
-        let (mut behind, mut thinness) = (Vec4::ZERO, 0.0);
-        if point.inv_normal || self.transparency != 0.0 {
+        // What lets no ray in lets none out.
+        let (mut behind, mut thinness) = (Vec4::W, 0.0);
+        if self.transparency != 0.0 {
             let (direction, _) = refract::<A>(point, self.ior);
             let seen = asking.trace(Trace::Refraction, point, direction, THROUGH);
             behind = seen.color.into();

@@ -82,7 +82,8 @@ impl PointShader for Sunglasses {
             (RootKind::Shadow, true) => Vec4::ONE,
             (_, false) => self.filmed::<A>(point, asking),
             // The far side of the glass only lets the ray out.
-            (_, true) => through::<A>(point, asking),
+            (_, true) if self.refractivity > 0.0 => through::<A>(point, asking),
+            (_, true) => Vec4::W,
         };
         Shaded { color: color.into(), ok: true }
     }

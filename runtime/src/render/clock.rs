@@ -1,8 +1,10 @@
-//! How much of the time goes into shaders.
+//! How much of the time goes into shaders, and how much into what they ask for.
 
 use std::time::{Duration, Instant};
 
-/// One in so many camera queues is measured.
+use super::entry::Entry;
+
+/// One in so many camera queues is measured, unless all are.
 const PERIOD: u64 = 8;
 
 /// Who is running.
@@ -12,55 +14,89 @@ pub(super) enum Who {
     Shader,
 }
 
-/// Splits time between the renderer and its shaders, which call each other. Reading the time costs
-/// as much as tracing a short ray, so only a part of the queues is measured.
+/// Who is running, and what for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Running {
+    who: Who,
+    /// None for camera rays and the shading of what they meet.
+    entry: Option<Entry>,
+}
+
+/// Splits time between the renderer and its shaders, which call each other, and among what they do it for. Reading
+/// the time costs as much as tracing a short ray, so only a part of the queues is measured.
 #[derive(Debug)]
 pub(super) struct Clock {
+    /// Whether every queue is measured.
+    pub(super) every_queue: bool,
     queues: u64,
-    running: Option<Instant>,
-    who: Who,
+    since: Option<Instant>,
+    running: Running,
     pub(super) shading: Duration,
     pub(super) whole: Duration,
+    /// What went into each entry, by the innermost one.
+    pub(super) entries: [Duration; Entry::COUNT],
 }
 
 impl Clock {
     pub(super) fn new() -> Self {
-        let zero = Duration::ZERO;
-        Self { queues: 0, running: None, who: Who::Renderer, shading: zero, whole: zero }
+        Self {
+            every_queue: false,
+            queues: 0,
+            since: None,
+            running: Running { who: Who::Renderer, entry: None },
+            shading: Duration::ZERO,
+            whole: Duration::ZERO,
+            entries: [Duration::ZERO; Entry::COUNT],
+        }
     }
 
-    /// A camera queue begins. What the first one took is forgotten once there is another: shaders may make
-    /// their code in it.
+    /// A camera queue begins. What the first one took is forgotten once there is another, unless every queue counts:
+    /// shaders may make their code in it.
     pub(super) fn start_queue(&mut self) {
-        self.who = Who::Renderer;
-        if self.queues == 1 {
+        self.running = Running { who: Who::Renderer, entry: None };
+        if self.queues == 1 && !self.every_queue {
             (self.shading, self.whole) = (Duration::ZERO, Duration::ZERO);
         }
-        let measured = self.queues == 0 || self.queues % PERIOD == 1;
-        self.running = measured.then(Instant::now);
+        let measured = self.every_queue || self.queues == 0 || self.queues % PERIOD == 1;
+        self.since = measured.then(Instant::now);
         self.queues += 1;
     }
 
     /// A camera queue ends.
     pub(super) fn end_queue(&mut self) {
-        self.switch(Who::Renderer);
-        self.running = None;
+        self.renderer(None);
+        self.since = None;
+    }
+
+    /// Passes control to the renderer; returns who had it.
+    #[inline]
+    pub(super) fn renderer(&mut self, entry: Option<Entry>) -> Running {
+        self.switch(Running { who: Who::Renderer, entry })
+    }
+
+    /// Passes control to a shader, which shades for what is going on; returns who had it.
+    #[inline]
+    pub(super) fn shader(&mut self) -> Running {
+        self.switch(Running { who: Who::Shader, ..self.running })
     }
 
     /// Passes control; returns who had it.
     #[inline]
-    pub(super) fn switch(&mut self, who: Who) -> Who {
-        let before = self.who;
-        if let Some(since) = self.running {
+    pub(super) fn switch(&mut self, to: Running) -> Running {
+        let before = self.running;
+        if let Some(since) = self.since {
             let now = Instant::now();
             let passed = now - since;
             self.whole += passed;
-            if before == Who::Shader {
+            if before.who == Who::Shader {
                 self.shading += passed;
             }
-            self.running = Some(now);
+            if let Some(entry) = before.entry {
+                self.entries[entry as usize] += passed;
+            }
+            self.since = Some(now);
         }
-        self.who = who;
+        self.running = to;
         before
     }
 }

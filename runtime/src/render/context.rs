@@ -7,8 +7,11 @@ use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::{RayType, State};
 
-use super::clock::{Clock, Who};
+use super::clock::Clock;
+use super::costs::Costs;
+use super::entry::Entry;
 use super::light_lists::LightLists;
+use super::lookups::CountedSurfaces;
 use super::points::{Waiting, environment_state, hit_state, prepared, unit_direction};
 use super::scratch::Scratch;
 use super::statistics::RayCounts;
@@ -27,6 +30,9 @@ pub struct Context<'s> {
     pub(super) counts: RayCounts,
     pub(super) points: u64,
     pub(super) clock: Clock,
+    /// What is counted besides rays and points.
+    pub(super) costs: Costs,
+    pub(super) surfaces: CountedSurfaces<'s>,
     /// Scratch space of the requests that are not running: one is taken per nested request, so
     /// nothing is allocated per ray.
     spare: Vec<Scratch>,
@@ -47,6 +53,8 @@ impl<'s> Context<'s> {
             counts: RayCounts::default(),
             points: 0,
             clock: Clock::new(),
+            costs: Costs::default(),
+            surfaces: CountedSurfaces::of(scene),
             spare: Vec::new(),
             nesting: 0,
             light_lists: LightLists::default(),
@@ -69,12 +77,35 @@ impl<'s> Context<'s> {
         self.points
     }
 
-    /// Runs `work` with scratch space, unless requests nest too deeply.
-    pub(super) fn nested(&mut self, work: impl FnOnce(&mut Self, &mut Scratch)) {
+    /// Takes the time of every camera queue, and of what is looked up.
+    pub(super) fn time_all(&mut self) {
+        self.clock.every_queue = true;
+        self.surfaces.timed = true;
+    }
+
+    /// What the effects cost so far.
+    pub(super) fn costs(&self) -> Costs {
+        let mut costs = self.costs.clone();
+        costs.take_rays(&self.counts);
+        if self.clock.every_queue {
+            for (entry, passed) in Entry::ALL.into_iter().zip(self.clock.entries) {
+                costs.of_mut(entry).milliseconds += passed.as_secs_f64() * 1e3;
+            }
+        }
+        self.surfaces.add_to(&mut costs);
+        costs
+    }
+
+    /// Runs `work`, which is done for `entry`, with scratch space, unless requests nest too deeply.
+    pub(super) fn nested(
+        &mut self,
+        entry: Option<Entry>,
+        work: impl FnOnce(&mut Self, &mut Scratch),
+    ) {
         if self.nesting == NESTING_LIMIT {
             return;
         }
-        let before = self.clock.switch(Who::Renderer);
+        let before = self.clock.renderer(entry);
         self.nesting += 1;
         let mut scratch = self.spare.pop().unwrap_or_default();
         work(self, &mut scratch);
@@ -90,7 +121,7 @@ impl<'s> Context<'s> {
         rays: &[Ray],
         answers: &mut [Answer],
     ) {
-        self.nested(|context, scratch| {
+        self.nested(None, |context, scratch| {
             context.trace_queue(RayType::Eye, states, rays, answers, scratch);
         });
     }
@@ -179,6 +210,9 @@ impl<'s> Context<'s> {
         let Scratch { waiting, states: hits, results, .. } = scratch;
         for group in waiting.chunk_by(|a, b| a.material == b.material) {
             for batch in group.chunks(self.batch) {
+                if self.scene.called_for.coordinates {
+                    self.costs.of_mut(Entry::Coordinates).count += batch.len() as u64;
+                }
                 hits.clear();
                 hits.extend(batch.iter().map(|waiting| {
                     let ray = &rays[waiting.slot as usize];
@@ -217,6 +251,9 @@ impl<'s> Context<'s> {
         results.resize(states.len(), Shaded::default());
         if let (Some(material), true) = (material, has_root) {
             self.shade(&*material.shader, number, root, states, results);
+            if scene.does_everything && root == RootKind::Material {
+                self.do_everything_else(material.effects, states);
+            }
         }
     }
 
@@ -230,7 +267,7 @@ impl<'s> Context<'s> {
         results: &mut [Shaded],
     ) {
         self.points += states.len() as u64;
-        let before = self.clock.switch(Who::Shader);
+        let before = self.clock.shader();
         let all = Arc::clone(&self.links);
         shader.shade_linked(root, states, &all[links], self, results);
         self.clock.switch(before);
@@ -248,6 +285,7 @@ impl<'s> Context<'s> {
         let Some(environment) = &scene.environment else { return };
         let Scratch { missed, states: lookups, results, .. } = scratch;
         let from = |slot: u32| &states[rays[slot as usize].point as usize];
+        let before = self.clock.renderer(Some(Entry::Environment));
         missed.retain(|(slot, _)| from(*slot).ray_type != RayType::Environment);
         self.counts.environment += missed.len() as u64;
         let answer = |color, ok| Answer { color, ok, hit: false, distance: 0.0 };
@@ -256,9 +294,11 @@ impl<'s> Context<'s> {
                 let color = environment.color(direction);
                 answers[slot as usize] = answer(color.unwrap_or_default(), color.is_some());
             }
+            self.clock.switch(before);
             return;
         };
         if !shader.has_root(RootKind::Environment) {
+            self.clock.switch(before);
             return;
         }
         let links = scene.materials.len();
@@ -269,10 +309,14 @@ impl<'s> Context<'s> {
             }));
             results.clear();
             results.resize(lookups.len(), Shaded::default());
+            self.costs.of_mut(Entry::EnvironmentShader).count += lookups.len() as u64;
+            let looked_up = self.clock.renderer(Some(Entry::EnvironmentShader));
             self.shade(&**shader, links, RootKind::Environment, lookups, results);
+            self.clock.switch(looked_up);
             for (&(slot, _), result) in batch.iter().zip(&*results) {
                 answers[slot as usize] = answer(result.color, result.ok);
             }
         }
+        self.clock.switch(before);
     }
 }

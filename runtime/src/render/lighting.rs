@@ -6,6 +6,7 @@ use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::{Hit, RayType, State};
 
 use super::context::Context;
+use super::entry::Entry;
 use super::light_lists::ListedSample;
 use super::points::{note, place, precise_point};
 use super::scratch::{Occluder, Scratch};
@@ -158,7 +159,10 @@ impl Context<'_> {
                             site,
                         )
                     }));
+                    self.costs.of_mut(Entry::ShadowShaders).count += states.len() as u64;
+                    let before = self.clock.renderer(Some(Entry::ShadowShaders));
                     self.shade_material(batch[0].material, RootKind::Shadow, states, results);
+                    self.clock.switch(before);
                     for (occluder, result) in batch.iter().zip(&*results) {
                         let color = &mut colors[occluder.point as usize];
                         for (channel, color) in color.iter_mut().enumerate() {

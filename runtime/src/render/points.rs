@@ -100,7 +100,10 @@ pub(super) fn hit_state(
     place(&mut state, &surface, waiting.hit.inside, waiting.direction);
     state.origin = single(waiting.origin);
     state.dist = waiting.hit.t as f32;
-    let cone = widened(scene, from, ray_type, waiting.hit.t as f32);
+    let cone = match scene.called_for.footprints {
+        true => widened(scene, from, ray_type, waiting.hit.t as f32),
+        false => Cone::default(),
+    };
     state.hit = Hit { cone, ..note(scene, &waiting.hit, &surface) };
     state
 }

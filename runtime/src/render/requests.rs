@@ -1,29 +1,30 @@
 //! The renderer as shaders see it: what they may ask of a context.
 
 use phenomenon_compiler::effects::{
-    Answer, LightList, LightMode, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId,
-    Trace,
+    Answer, Effect, LightList, LightMode, LightSample, Lookup, Points, Ray, Renderer, Sampling,
+    TextureId, Trace,
 };
 use phenomenon_compiler::state::{Objects, RayType, State};
 use phenomenon_compiler::values::Texture;
 
-use super::clock::Who;
 use super::context::Context;
+use super::entry::Entry;
 use super::points::{prepared, unit_direction};
 
 impl Renderer for Context<'_> {
     fn trace(&mut self, trace: Trace, states: &[State], rays: &[Ray], answers: &mut [Answer]) {
+        let entry = Some(Effect::from(trace).into());
         let ray_type = match trace {
             Trace::Reflection => RayType::Reflection,
             Trace::Refraction => RayType::Refraction,
             Trace::Transparent => RayType::Transparent,
             Trace::Environment => RayType::Environment,
             Trace::Probe => {
-                return self.nested(|context, _| context.probe(states, rays, answers));
+                return self.nested(entry, |context, _| context.probe(states, rays, answers));
             }
         };
         answers.fill(Answer::default());
-        self.nested(|context, scratch| {
+        self.nested(entry, |context, scratch| {
             let batch = context.batch;
             for (rays, answers) in rays.chunks(batch).zip(answers.chunks_mut(batch)) {
                 context.trace_queue(ray_type, states, rays, answers, scratch);
@@ -33,7 +34,8 @@ impl Renderer for Context<'_> {
 
     fn objects(&self) -> Objects<'_> {
         let scene = self.scene;
-        Objects { objects: &scene.known_objects, surfaces: scene, camera: &scene.known_camera }
+        let (objects, camera) = (&scene.known_objects, &scene.known_camera);
+        Objects { objects, surfaces: &self.surfaces, camera }
     }
 
     fn texture(&mut self, texture: &Texture) -> TextureId {
@@ -51,7 +53,9 @@ impl Renderer for Context<'_> {
         lookups: &[Lookup],
         colors: &mut [Option<[f32; 4]>],
     ) {
-        let before = self.clock.switch(Who::Renderer);
+        let before = self.clock.renderer(Some(Entry::Texture));
+        self.costs.of_mut(Entry::Texture).count += lookups.len() as u64;
+        self.costs.look_up(texture.0 as usize, lookups.len() as u64);
         self.scene.textures.read(texture, sampling, lookups, colors);
         self.clock.switch(before);
     }
@@ -71,14 +75,15 @@ impl Renderer for Context<'_> {
         points: Points<'_>,
         samples: &mut [LightSample],
     ) {
-        let before = self.clock.switch(Who::Renderer);
+        let before = self.clock.renderer(Some(Entry::LightLoops));
+        self.costs.of_mut(Entry::LightLoops).count += samples.len() as u64;
         self.sample_light(list, iteration, points, samples);
         self.clock.switch(before);
     }
 
     fn light_colors(&mut self, points: Points<'_>, tokens: &[u64], colors: &mut [[f32; 3]]) {
         colors.fill([0.0; 3]);
-        self.nested(|context, scratch| {
+        self.nested(Some(Entry::ShadowRays), |context, scratch| {
             let batch = context.batch;
             let mut from = 0;
             for tokens in tokens.chunk_by(|a, b| a == b) {

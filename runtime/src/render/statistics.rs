@@ -23,6 +23,14 @@ pub struct RayCounts {
     pub environment: u64,
 }
 
+impl RayCounts {
+    /// All rays that were intersected with the scene.
+    pub fn traced(&self) -> u64 {
+        let Self { eye, reflection, refraction, transparent, probe, shadow, environment: _ } = self;
+        eye + reflection + refraction + transparent + probe + shadow
+    }
+}
+
 impl AddAssign for RayCounts {
     fn add_assign(&mut self, other: Self) {
         self.eye += other.eye;

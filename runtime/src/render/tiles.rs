@@ -8,6 +8,7 @@ use phenomenon_compiler::state::{Cone, Hit, State};
 use rayon::prelude::*;
 
 use super::context::Context;
+use super::costs::Costs;
 use super::statistics::{RayCounts, Statistics};
 use crate::film::{Film, SizeError};
 use crate::sampling::{path_key, pixel_position};
@@ -52,6 +53,8 @@ pub struct Settings {
     pub batch: usize,
     /// Side of a tile in pixels.
     pub tile: u32,
+    /// Whether the time of every queue is taken, and of all that is looked up: for [`Rendered::costs`].
+    pub every_queue_timed: bool,
 }
 
 impl Region {
@@ -76,7 +79,16 @@ impl Region {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { width: 512, height: 512, samples: 16, seed: 0, threads: 0, batch: 256, tile: 16 }
+        Self {
+            width: 512,
+            height: 512,
+            samples: 16,
+            seed: 0,
+            threads: 0,
+            batch: 256,
+            tile: 16,
+            every_queue_timed: false,
+        }
     }
 }
 
@@ -124,6 +136,8 @@ pub struct Rendered {
     pub film: Film,
     /// What it cost.
     pub statistics: Statistics,
+    /// What of it each effect cost.
+    pub costs: Costs,
 }
 
 /// Renders a scene. `progress` is called with the tiles done and their number, from any thread.
@@ -159,9 +173,8 @@ pub fn render_region(
     let work = Work { film: Mutex::new((film, 0)), contexts: Mutex::new(Vec::new()) };
     pool.install(|| {
         tiles.par_iter().with_max_len(1).for_each(|tile| {
-            let mut painter = locked(&work.contexts)
-                .pop()
-                .unwrap_or_else(|| Painter::new(Context::new(scene, settings.batch)));
+            let mut painter =
+                locked(&work.contexts).pop().unwrap_or_else(|| Painter::for_scene(scene, settings));
             painter.paint(settings, tile);
             let mut film = locked(&work.film);
             painter.copy_to(&mut film.0, part, tile);
@@ -176,7 +189,9 @@ pub fn render_region(
     let (film, _) = work.film.into_inner().unwrap_or_else(PoisonError::into_inner);
     let painters = work.contexts.into_inner().unwrap_or_else(PoisonError::into_inner);
     let statistics = statistics(&painters, whole, pool.current_num_threads());
-    Ok(Rendered { film, statistics })
+    let mut costs = Costs::default();
+    painters.iter().for_each(|painter| costs += &painter.context.costs());
+    Ok(Rendered { film, statistics, costs })
 }
 
 /// So many threads; 0 stands for one per core.
@@ -245,7 +260,11 @@ struct Painter<'s> {
 }
 
 impl<'s> Painter<'s> {
-    fn new(context: Context<'s>) -> Self {
+    fn for_scene(scene: &'s Scene, settings: &Settings) -> Self {
+        let mut context = Context::new(scene, settings.batch);
+        if settings.every_queue_timed {
+            context.time_all();
+        }
         let (states, rays, answers) = (Vec::new(), Vec::new(), Vec::new());
         Self { context, pixels: Vec::new(), states, rays, answers, owners: Vec::new() }
     }
@@ -310,7 +329,10 @@ fn camera_state(scene: &Scene, settings: &Settings, column: u32, row: u32, sampl
     let [x, y] = pixel_position(settings.seed, column, row, sample, settings.samples);
     let raster = [column as f32 + x, row as f32 + y];
     let (origin, direction) = scene.camera.ray(raster, settings.width, settings.height);
-    let spread = scene.camera.spread(direction, settings.height) * sharpness(settings.samples);
+    let spread = match scene.called_for.footprints {
+        true => scene.camera.spread(direction, settings.height) * sharpness(settings.samples),
+        false => 0.0,
+    };
     State {
         origin,
         direction,

@@ -1,12 +1,15 @@
 //! Building a scene.
 
 use std::sync::Arc;
+use std::time::Instant;
 
 use glam::DVec3;
+use phenomenon_compiler::effects::EffectSet;
 use phenomenon_compiler::engine::Shade;
 use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::{self, Hit};
 
+use super::called_for::CalledFor;
 use super::depth::TraceDepth;
 use super::object::Object;
 use crate::bvh::{PrimitiveId, Tree, TreeError};
@@ -47,6 +50,7 @@ pub struct SceneBuilder {
     materials: Vec<Arc<dyn Shade>>,
     lights: Vec<Light>,
     environment: Option<Environment>,
+    does_everything: bool,
 }
 
 /// A scene ready to be rendered.
@@ -65,6 +69,12 @@ pub struct Scene {
     /// What they can know of the camera.
     pub(crate) known_camera: state::Camera,
     pub(crate) textures: Textures,
+    /// What its shaders call for.
+    pub(crate) called_for: CalledFor,
+    /// Whether everything else is done as well, and thrown away.
+    pub(crate) does_everything: bool,
+    /// Time it took to build the tree.
+    pub(crate) tree_milliseconds: f64,
 }
 
 /// A material with the roots it has.
@@ -72,6 +82,8 @@ pub(crate) struct Material {
     pub(crate) shader: Arc<dyn Shade>,
     pub(crate) has_material: bool,
     pub(crate) has_shadow: bool,
+    /// What its points may ask for.
+    pub(crate) effects: EffectSet,
 }
 
 impl SceneBuilder {
@@ -85,12 +97,20 @@ impl SceneBuilder {
             materials: Vec::new(),
             lights: Vec::new(),
             environment: None,
+            does_everything: false,
         }
     }
 
     /// Sets the trace depth.
     pub fn depth(&mut self, depth: TraceDepth) -> &mut Self {
         self.depth = depth;
+        self
+    }
+
+    /// Has the renderer do all it can at every point, whether anything calls for it or not. No picture changes: it
+    /// is the baseline of what is saved by leaving out the rest.
+    pub fn do_everything(&mut self) -> &mut Self {
+        self.does_everything = true;
         self
     }
 
@@ -167,7 +187,13 @@ impl SceneBuilder {
         for shader in self.materials.iter().chain(environment) {
             textures.open_those_of(&**shader)?;
         }
+        if self.does_everything {
+            textures.make_all_levels()?;
+        }
+        let start = Instant::now();
         let tree = Tree::build(&self.primitives)?;
+        let tree_milliseconds = start.elapsed().as_secs_f64() * 1e3;
+        let called_for = self.called_for();
         let extent = match tree.bounds() {
             Some((low, high)) => {
                 let (low, high) = (double(low), double(high));
@@ -178,6 +204,7 @@ impl SceneBuilder {
         let material = |shader: Arc<dyn Shade>| Material {
             has_material: shader.has_root(RootKind::Material),
             has_shadow: shader.has_root(RootKind::Shadow),
+            effects: shader.effects(RootKind::Material),
             shader,
         };
         Ok(Scene {
@@ -188,11 +215,34 @@ impl SceneBuilder {
             camera: self.camera,
             depth: self.depth,
             extent,
-            known_objects: (0..).zip(&self.objects).map(|(at, object)| object.known(at)).collect(),
+            known_objects: match called_for.objects() {
+                true => (0..).zip(&self.objects).map(|(at, object)| object.known(at)).collect(),
+                false => Vec::new(),
+            },
             known_camera: self.camera.known(),
             objects: self.objects,
             textures,
+            called_for,
+            does_everything: self.does_everything,
+            tree_milliseconds,
         })
+    }
+
+    /// What the shaders call for, joined.
+    fn called_for(&self) -> CalledFor {
+        let mut called_for = match self.does_everything {
+            true => CalledFor::everything(),
+            false => CalledFor::default(),
+        };
+        for shader in &self.materials {
+            for root in [RootKind::Material, RootKind::Shadow] {
+                called_for.join(&**shader, root);
+            }
+        }
+        if let Some(shader) = self.environment.as_ref().and_then(Environment::shader) {
+            called_for.join(&**shader, RootKind::Environment);
+        }
+        called_for
     }
 }
 
@@ -234,7 +284,9 @@ impl Scene {
     pub fn surface(&self, origin: DVec3, direction: DVec3, hit: &RawHit) -> Surface {
         let id = self.tree.id(hit.slot);
         let shape = &self.objects[id.object as usize].shape;
-        Surface::at((origin, direction), hit, self.tree.primitive(hit.slot), shape, id.primitive)
+        let primitive = self.tree.primitive(hit.slot);
+        let coordinates = self.called_for.coordinates;
+        Surface::at((origin, direction), hit, primitive, shape, id.primitive, coordinates)
     }
 
     /// Where a shadow ray from a point of a surface starts: the point itself, or lifted off a facet

@@ -1,6 +1,7 @@
 //! Scenes: what is rendered.
 
 mod build;
+mod called_for;
 mod depth;
 mod object;
 mod surfaces;

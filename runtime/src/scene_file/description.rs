@@ -7,6 +7,7 @@ use phenomenon_compiler::check::Setting;
 use phenomenon_compiler::diagnostics::Place;
 use phenomenon_compiler::engine::Shade;
 use phenomenon_compiler::graph::{Graph, RootKind};
+use phenomenon_compiler::specialise::Asking;
 
 use crate::camera::Camera;
 use crate::geometry::{Mesh, ShadowTerminator, Transform};
@@ -204,10 +205,22 @@ impl SceneDescription {
     /// Builds the scene; `resolve` makes shaders of its materials, once for each that differs.
     pub fn build<E>(
         &self,
+        resolve: impl FnMut(&MaterialRef) -> Result<Arc<dyn Shade>, E>,
+    ) -> Result<Scene, BuildError<E>> {
+        self.build_asking(Asking::Guarded, resolve)
+    }
+
+    /// The same; asking for all, its renderer does all it can at every point, see [`SceneBuilder::do_everything`].
+    pub fn build_asking<E>(
+        &self,
+        asking: Asking,
         mut resolve: impl FnMut(&MaterialRef) -> Result<Arc<dyn Shade>, E>,
     ) -> Result<Scene, BuildError<E>> {
         let mut builder = SceneBuilder::new(self.camera);
         builder.depth(self.options.depth);
+        if asking == Asking::All {
+            builder.do_everything();
+        }
         let mut known: Vec<(&MaterialRef, u32)> = Vec::new();
         for object in &self.objects {
             let same = |(other, _): &&(&MaterialRef, u32)| equal(other, &object.material);

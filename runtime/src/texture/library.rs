@@ -56,6 +56,9 @@ pub enum TextureError {
 /// Most pixels of all textures of a scene: 4 GiB of memory.
 pub const TEXTURE_PIXEL_LIMIT: u64 = 1 << 28;
 
+/// Bytes of a pixel in memory.
+const PIXEL_BYTES: u64 = size_of::<[f32; 4]>() as u64;
+
 /// Why a picture cannot be a texture; none where it can. It is decoded for that, and not kept.
 pub fn unusable(path: &Path) -> Option<TextureError> {
     let file = path.display().to_string();
@@ -117,6 +120,23 @@ pub struct Textures {
 enum Opened {
     Picture(Picture),
     Tiles(Tiles),
+}
+
+impl Opened {
+    /// Its pixels, and those of its coarser versions.
+    fn pixels(&self) -> [u64; 2] {
+        let of = |size: [u32; 2], has_levels: bool| {
+            let coarser = if has_levels { levels::pixels(size) } else { 0 };
+            [u64::from(size[0]) * u64::from(size[1]), coarser]
+        };
+        match self {
+            Opened::Picture(picture) => of(picture.size(), picture.has_levels()),
+            Opened::Tiles(tiles) => tiles.sizes().fold([0, 0], |sum, (size, has_levels)| {
+                let [pixels, coarser] = of(size, has_levels);
+                [sum[0] + pixels, sum[1] + coarser]
+            }),
+        }
+    }
 }
 
 impl Textures {
@@ -185,6 +205,26 @@ impl Textures {
             Some(Opened::Picture(_)) | None => {}
         }
         Ok(())
+    }
+
+    /// Makes the coarser versions of all that are open.
+    ///
+    /// # Errors
+    /// They are too much.
+    pub fn make_all_levels(&mut self) -> Result<(), TextureError> {
+        let textures: Vec<Texture> = self.numbers.keys().cloned().collect();
+        textures.iter().try_for_each(|texture| self.make_levels(texture))
+    }
+
+    /// The textures that are open, by number, with the bytes of their pixels, and those of their coarser versions.
+    pub fn opened(&self) -> impl Iterator<Item = (&Texture, u64, u64)> {
+        let mut textures: Vec<(&Texture, TextureId)> =
+            self.numbers.iter().map(|(texture, number)| (texture, *number)).collect();
+        textures.sort_by_key(|(_, number)| number.0);
+        textures.into_iter().map(|(texture, number)| {
+            let [pixels, coarser] = self.opened[number.0 as usize].pixels();
+            (texture, pixels * PIXEL_BYTES, coarser * PIXEL_BYTES)
+        })
     }
 
     /// Columns and rows of a texture; of tiles, those of the first.

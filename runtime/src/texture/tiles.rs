@@ -25,6 +25,11 @@ impl Tiles {
         self.pictures.values().next().map(Picture::size)
     }
 
+    /// The sizes of all, each with whether it has coarser versions.
+    pub fn sizes(&self) -> impl Iterator<Item = ([u32; 2], bool)> {
+        self.pictures.values().map(|picture| (picture.size(), picture.has_levels()))
+    }
+
     /// The sizes of those without coarser versions.
     pub fn sizes_without_levels(&self) -> impl Iterator<Item = [u32; 2]> {
         self.pictures.values().filter(|picture| !picture.has_levels()).map(Picture::size)

@@ -45,7 +45,7 @@ fn picture(scene: &Scene, settings: Settings) -> (Vec<[u32; 4]>, RayCounts, u64)
 fn threads_tiles_and_batches_change_no_bit() {
     let (together, alone) = (scene(true), scene(false));
     let base =
-        Settings { width: 40, height: 29, samples: 5, seed: 3, threads: 1, batch: 256, tile: 16 };
+        Settings { width: 40, height: 29, samples: 5, seed: 3, threads: 1, ..Settings::default() };
     let first = picture(&together, base);
     assert!(first.1.shadow > 1000 && first.1.refraction > 1000);
     let distinct: std::collections::HashSet<_> = first.0.iter().collect();

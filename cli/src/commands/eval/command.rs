@@ -91,8 +91,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     // One point is soon shaded by kernels; code that comes later would only be thrown away.
     let engine = if arguments.engine.engine == EngineChoice::Auto { Engine::Batch } else { engine };
     let (place, notes) = state_fields::place(&arguments.state)?;
-    let graph =
-        Told { allow: &arguments.allow }.read(&arguments.graph, &NodeLibrary::standard())?;
+    let graph = Told { allow: &arguments.allow, errors_only: false }
+        .read(&arguments.graph, &NodeLibrary::standard())?;
     let values = graphs::bind(&graph, arguments.preset.as_deref(), &arguments.set)?;
     notes.iter().for_each(|note| terminal::tell(note));
     let point = Point { values: &values, options: arguments.engine.options(engine), place };

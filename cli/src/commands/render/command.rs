@@ -6,6 +6,7 @@ use std::time::Instant;
 use clap::{Args, ValueHint};
 use phenomenon_compiler::diagnostics::Code;
 use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::specialise::Asking;
 use phenomenon_runtime::film;
 use phenomenon_runtime::link::{NodePath, TextValue};
 use phenomenon_runtime::render::{Region, RenderError, Rendered, Settings, render_region};
@@ -15,7 +16,7 @@ use super::cost::Cost;
 use super::named;
 use crate::arguments::{self, Size};
 use crate::failure::{Failure, Outcome};
-use crate::graphs::EngineArguments;
+use crate::graphs::{self, EngineArguments};
 use crate::outputs::{self, Output};
 use crate::scenes::{self, Flags, Picture};
 use crate::terminal;
@@ -83,6 +84,11 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE.json", value_hint = ValueHint::FilePath)]
     stats: Option<PathBuf>,
 
+    /// Do all that shaders could ask for at every point, whether their weights want it or not, and throw it away: no bit
+    /// of the picture changes. It is what `phenomenon effects` measures savings against, and takes much longer
+    #[arg(long)]
+    all_effects: bool,
+
     /// Say nothing of findings with this code that are no errors; may be repeated
     #[arg(long, value_name = "CODE", value_parser = arguments::allowable)]
     allow: Vec<Code>,
@@ -126,6 +132,9 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let stats = arguments.stats.as_deref().map(|path| Output { flag: "--stats", path });
     let outputs: Vec<Output<'_>> = std::iter::once(picture_file).chain(stats).collect();
     outputs.iter().try_for_each(|output| output.require_writable())?;
+    if arguments.all_effects {
+        graphs::require_nodes(&arguments.engine, "--all-effects")?;
+    }
     let library = NodeLibrary::standard();
     let flags = Flags {
         set: &arguments.set,
@@ -134,6 +143,8 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         stage: arguments.scene.as_deref(),
         allow: &arguments.allow,
         count: arguments.stats.is_some(),
+        asking: if arguments.all_effects { Asking::All } else { Asking::Guarded },
+        silent: false,
     };
     let picture = scenes::load(&arguments.file, &library, &arguments.engine, &flags)?;
     outputs::require_apart(&outputs)?;

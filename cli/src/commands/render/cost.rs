@@ -40,7 +40,7 @@ impl Cost {
             self.engine.name(),
             self.render_milliseconds / 1e3,
             self.statistics.shading_milliseconds / 1e3,
-            grouped(self.rays()),
+            grouped(self.statistics.rays.traced()),
         )
     }
 
@@ -65,11 +65,5 @@ impl Cost {
             "threads": self.statistics.threads,
         });
         format!("{object:#}\n")
-    }
-
-    /// All rays that were intersected with the scene.
-    fn rays(&self) -> u64 {
-        let rays = &self.statistics.rays;
-        rays.eye + rays.reflection + rays.refraction + rays.transparent + rays.probe + rays.shadow
     }
 }

@@ -216,6 +216,7 @@ impl Builder<'_> {
             Asked::LightColors => self.light(effect, epoch),
         };
         let Some(subject) = subject else {
+            self.result.decisions.about_nothing.push(view);
             let words = effect.unasked().into_iter();
             let words = words.map(|word| self.result.uniforms.constant(word)).collect();
             return Ok(Built { words, demand: None });

@@ -12,6 +12,7 @@ use crate::state::{FieldSet, RayType};
 use crate::storage::Source;
 use crate::values::Literal;
 
+use super::decisions::{Decisions, Fold};
 use super::reads::reads;
 use super::views::Views;
 use super::{
@@ -25,12 +26,34 @@ pub const MAX_INSTANCES: usize = 1 << 20;
 /// Most loops round an evaluation.
 pub const MAX_NESTED_LOOPS: usize = 4;
 
+/// Which inputs are asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Asking {
+    /// Those whose guards hold.
+    #[default]
+    Guarded,
+    /// All: what every guard would save is done, and thrown away. No value changes, for no body looks at an
+    /// input whose guard does not hold.
+    All,
+}
+
 /// Specialises `graph` for a root of it, a ray type, and the values of its parameters.
 pub fn expand(
     graph: &Graph,
     root: &Root,
     ray_type: RayType,
     values: &[Literal],
+) -> Result<Specialised, SpecialiseError> {
+    expand_asking(graph, root, ray_type, values, Asking::Guarded)
+}
+
+/// The same, asking for all inputs or for those whose guards hold.
+pub fn expand_asking(
+    graph: &Graph,
+    root: &Root,
+    ray_type: RayType,
+    values: &[Literal],
+    asking: Asking,
 ) -> Result<Specialised, SpecialiseError> {
     let views = Views::new(graph, root)?;
     let reads = reads(&views)?;
@@ -39,6 +62,7 @@ pub fn expand(
         reads: &reads,
         ray_type,
         values,
+        asking,
         built: FxHashMap::default(),
         conversions: FxHashMap::default(),
         result: Specialised {
@@ -51,9 +75,13 @@ pub fn expand(
             light_lists: PrimaryMap::new(),
             tables: PrimaryMap::new(),
             textures: PrimaryMap::new(),
+            decisions: Decisions::default(),
         },
     };
     builder.run()?;
+    let mut built = vec![false; views.len()];
+    builder.built.keys().for_each(|&(view, _)| built[view] = true);
+    builder.result.decisions.built = built;
     if cfg!(debug_assertions)
         && let Err(what) = verify(&builder.result)
     {
@@ -98,6 +126,7 @@ struct Builder<'a> {
     reads: &'a [FieldSet],
     ray_type: RayType,
     values: &'a [Literal],
+    asking: Asking,
     built: FxHashMap<Key, Built>,
     conversions: FxHashMap<Source, InstanceId>,
     result: Specialised,
@@ -177,24 +206,29 @@ impl Builder<'_> {
         let Some(code) = self.views.overload(view).guards[frame.next] else {
             return Ok(GuardState::Always);
         };
+        if self.asking == Asking::All {
+            return Ok(GuardState::Always);
+        }
         let code = self.settled(view, code)?;
         let zero = self.result.uniforms.constant(0);
         let mut words = frame.words.clone();
         words.resize(self.views.input_words(view), zero);
         // What it does not look at would only hide that it is known, or known early.
         let reads = code.recorded().reads(words.len());
-        for (word, read) in words.iter_mut().zip(reads) {
-            if !read && matches!(word, Source::Slot(_)) {
+        for (word, read) in words.iter_mut().zip(&reads) {
+            if !*read && matches!(word, Source::Slot(_)) {
                 *word = zero;
             }
         }
         let Some(inputs) = Uniforms::positions(&words) else {
             return Ok(GuardState::Where(Guard { code, words }));
         };
-        Ok(match self.result.uniforms.decide(code, inputs) {
-            true => GuardState::Always,
-            false => GuardState::Never,
-        })
+        if self.result.uniforms.decide(code, inputs.clone()) {
+            return Ok(GuardState::Always);
+        }
+        let fold = Fold { view, input: frame.next, words: inputs, looks: reads };
+        self.result.decisions.folds.push(fold);
+        Ok(GuardState::Never)
     }
 
     fn slots(&mut self, count: u32) -> u32 {

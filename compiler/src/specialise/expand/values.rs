@@ -28,11 +28,11 @@ impl Builder<'_> {
                 let words = self.result.uniforms.parameter(parameter, value);
                 (Built { words, demand: None }, value.value_type())
             }
-            Resolved::State(field) => (self.field(field, epoch), field.value_type()),
+            Resolved::State(field) => (self.read_by(view, field, epoch), field.value_type()),
             Resolved::Node { view: source, output } => {
                 let from = self.views.output_type(source, output);
                 if let Kind::Fields(fields) = &self.views.signature(source).kind {
-                    (self.field(fields[output], epoch), from)
+                    (self.read_by(view, fields[output], epoch), from)
                 } else {
                     let key = (source, self.result.epochs.effective(epoch, self.reads[source]));
                     let Some(built) = self.built.get(&key) else { return Ok(Err(key)) };
@@ -85,6 +85,16 @@ impl Builder<'_> {
         let words = literal.words();
         let words = words.into_iter().map(|word| self.result.uniforms.constant(word)).collect();
         Built { words, demand: None }
+    }
+
+    /// The words of a state field as a node reads them in an epoch.
+    fn read_by(&mut self, view: usize, field: Field, epoch: EpochId) -> Built {
+        let known = self.result.fields.len();
+        let built = self.field(field, epoch);
+        if self.result.fields.len() > known {
+            self.result.decisions.readers.push((field, view));
+        }
+        built
     }
 
     /// The words of a state field as seen in an epoch.

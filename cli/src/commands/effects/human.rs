@@ -1,0 +1,99 @@
+//! The ledger for people.
+
+use std::fmt::Write as _;
+
+use phenomenon_compiler::diagnostics::grouped;
+use phenomenon_runtime::link::{Asked, Row};
+use phenomenon_runtime::render::{Settings, Unit};
+
+use super::measured::{Measured, MeasuredRow, RowCost, Whole};
+
+/// Columns of names.
+const NAMES: usize = 24;
+/// Smaller costs in milliseconds are not told: they are below what reading the clock costs.
+const LEAST_MILLISECONDS: f64 = 0.05;
+
+/// The ledger: a line for each effect with its cost, and below it why.
+pub fn text(what: &str, measured: &Measured) -> String {
+    let Settings { width, height, samples, .. } = measured.settings;
+    let plural = if samples == 1 { "" } else { "s" };
+    let mut text =
+        format!("{what}, {width}x{height}, {samples} sample{plural}: {}", whole(&measured.whole));
+    if let Some(all) = &measured.all_effects {
+        text += &format!("; with all effects on {}", whole(all));
+    }
+    text += "\n";
+    for row in &measured.rows {
+        let _ = write!(text, "\n{}", of_row(row));
+    }
+    text
+}
+
+fn whole(of: &Whole) -> String {
+    format!("{} rays, {:.1} ms", grouped(of.rays), of.milliseconds)
+}
+
+fn of_row(measured: &MeasuredRow) -> String {
+    let MeasuredRow { row, cost, all_effects } = measured;
+    let unit = row.entry.unit();
+    let name = match &row.file {
+        Some(file) => format!("{} {file}", row.entry.name()),
+        None => row.entry.name().to_owned(),
+    };
+    let state = if row.on { "on " } else { "off" };
+    let mut costs: Vec<String> = Vec::new();
+    if row.on {
+        costs.push(listed(cost, unit));
+    }
+    if let Some(saved) = all_effects.as_ref().and_then(|all| saved(all, cost, unit)) {
+        costs.push(format!("saves {saved}"));
+    }
+    costs.retain(|cost| !cost.is_empty());
+    let mut text = format!("{state}  {name:NAMES$}  {}", costs.join("; "));
+    text.truncate(text.trim_end().len());
+    let _ = writeln!(text, "\n     {}{}", row.reason, place(row));
+    text
+}
+
+/// Where the node stands, unless the reason has said so.
+fn place(row: &Row) -> String {
+    match &row.asked {
+        Some(Asked { place: Some(place), .. }) => {
+            let (line, column) = place.line_column();
+            format!("\n     {}:{line}:{column}", place.file.name)
+        }
+        _ => String::new(),
+    }
+}
+
+fn listed(of: &RowCost, unit: Unit) -> String {
+    let mut parts = Vec::new();
+    if unit != Unit::None {
+        parts.push(format!("{} {}", grouped(of.cost.count), unit.name(of.cost.count)));
+    }
+    if of.cost.milliseconds >= LEAST_MILLISECONDS {
+        parts.push(format!("{:.1} ms", of.cost.milliseconds));
+    }
+    if of.bytes.0 > 0 {
+        parts.push(format!("{} bytes", grouped(of.bytes.0)));
+    }
+    parts.join(", ")
+}
+
+/// What was saved against all effects on; none where it was nothing.
+fn saved(all: &RowCost, cost: &RowCost, unit: Unit) -> Option<String> {
+    let mut parts = Vec::new();
+    let count = all.cost.count.saturating_sub(cost.cost.count);
+    if unit != Unit::None && count > 0 {
+        parts.push(format!("{} {}", grouped(count), unit.name(count)));
+    }
+    let milliseconds = all.cost.milliseconds - cost.cost.milliseconds;
+    if milliseconds >= LEAST_MILLISECONDS {
+        parts.push(format!("{milliseconds:.1} ms"));
+    }
+    let bytes = all.bytes.0.saturating_sub(cost.bytes.0);
+    if bytes > 0 {
+        parts.push(format!("{} bytes", grouped(bytes)));
+    }
+    (!parts.is_empty()).then(|| parts.join(", "))
+}
