@@ -90,20 +90,23 @@ impl Asking {
         self.rays.clear();
         self.rays.extend(points.iter().enumerate().map(|(at, state)| {
             // A direction, then an origin, as far as the effect takes them.
-            let given = &self.arguments[at * width..][..width];
-            let vector = |from: usize, or: [f32; 3]| match given.get(from..from + 3) {
-                Some(words) => [words[0], words[1], words[2]].map(f32::from_bits),
-                None => or,
+            let (direction, origin) = match &self.arguments[at * width..][..width] {
+                &[x, y, z] => ([x, y, z].map(f32::from_bits), state.point),
+                &[x, y, z, u, v, w] => {
+                    ([x, y, z].map(f32::from_bits), [u, v, w].map(f32::from_bits))
+                }
+                _ => (state.direction, state.point),
             };
-            let direction = vector(0, state.direction);
-            Ray { point: points.number(at), origin: vector(3, state.point), direction, site }
+            Ray { point: points.number(at), origin, direction, site }
         }));
         self.traced.clear();
         self.traced.resize(self.rays.len(), Answer::default());
         renderer.trace(trace, points.states(), &self.rays, &mut self.traced);
-        for answer in &self.traced {
-            self.answers.extend(answer.color.map(f32::to_bits));
-            self.answers.extend([truth(answer.ok), truth(answer.hit), answer.distance.to_bits()]);
+        self.answers.resize(ANSWER * self.traced.len(), 0);
+        let (rows, _) = self.answers.as_chunks_mut::<ANSWER>();
+        for (row, answer) in rows.iter_mut().zip(&self.traced) {
+            let [r, g, b, a] = answer.color.map(f32::to_bits);
+            *row = [r, g, b, a, truth(answer.ok), truth(answer.hit), answer.distance.to_bits()];
         }
     }
 
@@ -112,8 +115,10 @@ impl Asking {
         self.colors.clear();
         self.colors.resize(points.len(), [0.0; 3]);
         renderer.light_colors(points, &self.tokens, &mut self.colors);
-        for [r, g, b] in &self.colors {
-            self.answers.extend([*r, *g, *b, 1.0].map(f32::to_bits));
+        self.answers.resize(4 * self.colors.len(), 0);
+        let (rows, _) = self.answers.as_chunks_mut::<4>();
+        for (row, [r, g, b]) in rows.iter_mut().zip(&self.colors) {
+            *row = [*r, *g, *b, 1.0].map(f32::to_bits);
         }
     }
 
@@ -151,6 +156,9 @@ pub(super) fn asking<'a>(
 ) -> Points<'a> {
     if scoped.is_empty() { Points::numbered(batch, numbers) } else { Points::from(scoped) }
 }
+
+/// Words of the answer to a ray.
+const ANSWER: usize = 7;
 
 /// A truth as a word.
 fn truth(value: bool) -> u32 {

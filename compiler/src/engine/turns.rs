@@ -70,12 +70,14 @@ impl Turning {
         if let Some(list) = list {
             renderer.light_samples(list, number, points, &mut self.samples);
         }
-        for sample in &self.samples {
-            self.words.extend(sample.direction.map(f32::to_bits));
-            self.words.push(sample.distance.to_bits());
-            self.reached.push(sample.reachable);
-            self.tokens.push(sample.token);
+        self.words.resize(4 * self.samples.len(), 0);
+        let (rows, _) = self.words.as_chunks_mut::<4>();
+        for (row, sample) in rows.iter_mut().zip(&self.samples) {
+            let [x, y, z] = sample.direction;
+            *row = [x, y, z, sample.distance].map(f32::to_bits);
         }
+        self.reached.extend(self.samples.iter().map(|sample| sample.reachable));
+        self.tokens.extend(self.samples.iter().map(|sample| sample.token));
     }
 
     fn sample(&mut self, number: usize, key: u64) {

@@ -3,7 +3,9 @@
 use cranelift_entity::packed_option::PackedOption;
 use cranelift_entity::{EntitySet, PrimaryMap, SecondaryMap};
 
-use crate::specialise::{EpochId, Instance, InstanceId, InstanceKind, Specialised, Subject, Turns};
+use crate::specialise::{
+    EpochId, Instance, InstanceId, InstanceKind, LightTableId, Specialised, Subject, Turns,
+};
 use crate::storage::Source;
 
 use super::pure::{Pure, PureByLoop};
@@ -36,6 +38,7 @@ pub fn schedule(graph: &Specialised) -> Schedule {
         let filled = builder.region(region, head, &mut pure);
         builder.regions.push(filled);
     }
+    mark_shared(&mut builder.requests);
     let root = graph.instances[graph.root()].output;
     let schedule = Schedule {
         regions: builder.regions,
@@ -53,6 +56,19 @@ pub fn schedule(graph: &Specialised) -> Schedule {
         panic!("after schedule: {what}");
     }
     schedule
+}
+
+/// Marks requests of which others ask the same about the same light sample.
+fn mark_shared(requests: &mut PrimaryMap<RequestId, Request>) {
+    let table = |request: &Request| match request.subject {
+        Subject::Light { table, .. } => Some(table),
+        _ => None,
+    };
+    let mut askers: SecondaryMap<LightTableId, u32> = SecondaryMap::new();
+    requests.values().filter_map(table).for_each(|table| askers[table] += 1);
+    for request in requests.values_mut() {
+        request.again |= table(request).is_some_and(|table| askers[table] > 1);
+    }
 }
 
 /// Everything an instance may demand, the body of a loop included.
@@ -349,6 +365,7 @@ impl Builder<'_> {
                     site: *site,
                     loops,
                     subject: self.subject(*subject),
+                    again: graph.epochs.0[instance.epoch].loops.len() > 1,
                 });
                 open.items.push(Item::Request(request));
             }

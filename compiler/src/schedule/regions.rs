@@ -145,6 +145,9 @@ pub struct Request {
     pub loops: Vec<LoopId>,
     /// What it is about.
     pub subject: Subject<LoopId>,
+    /// Whether it may be asked again about the same light sample of a point, by itself or by others: answers are
+    /// kept then.
+    pub again: bool,
 }
 
 /// A loop.

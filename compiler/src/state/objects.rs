@@ -69,7 +69,8 @@ impl<'a> Objects<'a> {
     }
 
     /// Writes the words of a field of up to eight points, each in a lane of its own.
-    #[inline]
+    // A call: what states hold themselves is read without its frame.
+    #[inline(never)]
     pub fn gather(self, field: Field, states: &[State], lanes: &mut [Lanes]) {
         if matches!(field.holder(), Holder::State | Holder::Loop(_)) {
             return field.gather(states, lanes);

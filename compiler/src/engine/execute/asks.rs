@@ -16,7 +16,7 @@ impl Run<'_> {
         let (effect, subject) = (request.effect, request.subject);
         let Some(question) = Question::of(effect, subject, site, self.links) else { return };
         let mut chosen = std::mem::take(&mut self.memory.chosen);
-        if let Subject::Light { of, table } = subject {
+        if let (Subject::Light { of, table }, true) = (subject, request.again) {
             self.take_known(request, of, table, &mut chosen);
         }
         if !chosen.is_empty() {
@@ -27,7 +27,7 @@ impl Run<'_> {
 
     /// Asks the renderer for points and writes the answers.
     fn ask(&mut self, request: &Request, question: Question, points: &[usize]) {
-        let mut asking = std::mem::take(&mut self.memory.asking);
+        let mut asking = self.memory.asking.take().unwrap_or_default();
         asking.clear();
         asking.numbers.extend(points.iter().map(|&point| point as u32));
         if !request.context.is_empty() {
@@ -37,17 +37,13 @@ impl Run<'_> {
         if let Subject::Light { of, .. } = request.subject {
             asking.tokens.extend(points.iter().map(|&point| self.memory.tokens[of][point]));
         }
-        for &point in points {
-            asking.arguments.extend(request.words.iter().map(|source| self.word(*source, point)));
-        }
+        self.gather_words(&request.words, points, &mut asking.arguments);
         asking.ask(question, self.points, self.renderer);
         let width = request.outputs as usize;
         for (&point, words) in points.iter().zip(asking.answers.chunks_exact(width)) {
-            for (slot, word) in (request.output..).zip(words) {
-                self.set(slot, point, *word);
-            }
+            self.set_all(request.output, point, words);
         }
-        if let Subject::Light { of, table } = request.subject {
+        if let (Subject::Light { of, table }, true) = (request.subject, request.again) {
             let turn = self.memory.iterations[of].wrapping_sub(1);
             let kept = &mut self.memory.tables[table][turn];
             for (&point, words) in points.iter().zip(asking.answers.chunks_exact(width)) {
@@ -55,7 +51,7 @@ impl Run<'_> {
                 kept.words[point * width..][..width].copy_from_slice(words);
             }
         }
-        self.memory.asking = asking;
+        self.memory.asking = Some(asking);
     }
 
     /// Writes what is known of the light sample, and leaves the points of which nothing is.
@@ -78,9 +74,7 @@ impl Run<'_> {
         points.retain(|&point| {
             let is_known = kept.known[point / LANES] >> (point % LANES) & 1 == 1;
             if is_known {
-                for (slot, word) in (request.output..).zip(&kept.words[point * width..][..width]) {
-                    self.set(slot, point, *word);
-                }
+                self.set_all(request.output, point, &kept.words[point * width..][..width]);
             }
             !is_known
         });

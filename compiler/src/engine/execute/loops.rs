@@ -4,7 +4,7 @@ use crate::engine::turns::{Turn, Turning, turns_of};
 use crate::schedule::{Loop, LoopId, RegionId};
 use crate::specialise::{Turns, iteration_key};
 use crate::state::Reduction;
-use crate::storage::{LANES, Source};
+use crate::storage::LANES;
 
 use super::memory::{Frame, empty};
 use super::run::Run;
@@ -21,9 +21,7 @@ impl Run<'_> {
         let words = &mut words[..of.value_type.width()];
         of.reduction.start(of.value_type, words);
         for &point in &chosen {
-            for (slot, word) in (of.output..).zip(&*words) {
-                self.set(slot, point, *word);
-            }
+            self.set_all(of.output, point, words);
         }
         let count = match &of.turns {
             Turns::Lights { list } => {
@@ -75,21 +73,20 @@ impl Run<'_> {
         self.choose(region);
         let chosen = std::mem::take(&mut self.memory.chosen);
         let width = of.value_type.width();
-        let (mut words, mut value) = ([0; Reduction::MOST_WORDS], [0; Reduction::MOST_WORDS]);
-        for &point in &chosen {
-            for (at, source) in of.words.iter().enumerate() {
-                words[at] = self.word(Source::Slot(of.output + at as u32), point);
-                value[at] = self.word(*source, point);
-            }
+        let mut values = std::mem::take(&mut self.memory.values);
+        self.gather_words(&of.words, &chosen, &mut values);
+        let mut words = [0; Reduction::MOST_WORDS];
+        let words = &mut words[..width];
+        for (&point, value) in chosen.iter().zip(values.chunks_exact(width)) {
+            self.read_all(of.output, point, words);
             let own = match of.turns {
                 Turns::Lights { .. } => None,
                 Turns::Samples { count, .. } => Some(turns_of(self.word(count, point))),
             };
-            change(of, &mut words[..width], &value[..width], own);
-            for (slot, word) in (of.output..).zip(&words[..width]) {
-                self.set(slot, point, *word);
-            }
+            change(of, words, value, own);
+            self.set_all(of.output, point, words);
         }
+        self.memory.values = values;
         self.memory.chosen = chosen;
     }
 
@@ -98,7 +95,7 @@ impl Run<'_> {
         let of = &self.program.schedule.loops[at];
         self.choose(within);
         let chosen = std::mem::take(&mut self.memory.chosen);
-        let mut turning = std::mem::take(&mut self.memory.turning);
+        let mut turning = self.memory.turning.take().unwrap_or_default();
         let turn = self.gather(of, number, &chosen, &mut turning);
         turning.turn(turn, self.points, self.renderer);
         let first = self.mask(of.region, 0);
@@ -110,12 +107,10 @@ impl Run<'_> {
             any = true;
             self.memory.tokens[at][point] = turning.tokens[k];
             self.memory.todo[first + point / LANES] |= 1 << (point % LANES);
-            for (slot, word) in (of.fields..).zip(&turning.words[k * width..][..width]) {
-                self.set(slot, point, *word);
-            }
+            self.set_all(of.fields, point, &turning.words[k * width..][..width]);
         }
         self.memory.chosen = chosen;
-        self.memory.turning = turning;
+        self.memory.turning = Some(turning);
         any
     }
 

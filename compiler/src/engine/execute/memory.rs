@@ -32,8 +32,11 @@ pub struct Memory {
     pub(super) tally: Tally,
     pub(super) stack: Vec<Frame>,
     pub(super) chosen: Vec<usize>,
-    pub(super) asking: Asking,
-    pub(super) turning: Turning,
+    /// What requests and turns of loops work in; away while one does. In boxes, so that they come and go by pointer.
+    pub(super) asking: Option<Box<Asking>>,
+    pub(super) turning: Option<Box<Turning>>,
+    /// Words of points, of what a loop takes.
+    pub(super) values: Vec<u32>,
 }
 
 /// The uniform words of a program.

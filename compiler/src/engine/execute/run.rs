@@ -124,10 +124,45 @@ impl Run<'_> {
         self.memory.lanes[self.at(source, point / LANES)].0[point % LANES]
     }
 
+    /// Writes the words of a point to slots next to one another.
     #[inline]
-    pub(super) fn set(&mut self, slot: u32, point: usize, word: u32) {
-        let at = self.shape.slot(slot, point / LANES);
-        self.memory.lanes[at].0[point % LANES] = word;
+    pub(super) fn set_all(&mut self, first: u32, point: usize, words: &[u32]) {
+        let at = self.shape.slot(first, point / LANES);
+        for (lanes, word) in self.memory.lanes[at..at + words.len()].iter_mut().zip(words) {
+            lanes.0[point % LANES] = *word;
+        }
+    }
+
+    /// Reads the words of a point from slots next to one another.
+    #[inline]
+    pub(super) fn read_all(&self, first: u32, point: usize, words: &mut [u32]) {
+        let at = self.shape.slot(first, point / LANES);
+        for (word, lanes) in words.iter_mut().zip(&self.memory.lanes[at..]) {
+            *word = lanes.0[point % LANES];
+        }
+    }
+
+    /// Words of points, as many for each as there are sources; source by source, for where a source lies is
+    /// the same for all points.
+    pub(super) fn gather_words(&self, sources: &[Source], points: &[usize], words: &mut Vec<u32>) {
+        words.clear();
+        words.resize(sources.len() * points.len(), 0);
+        if sources.is_empty() {
+            return;
+        }
+        for (nth, &source) in sources.iter().enumerate() {
+            let rows = points.iter().zip(words.chunks_exact_mut(sources.len()));
+            match source {
+                Source::Slot(slot) => rows.for_each(|(&point, row)| {
+                    let at = self.shape.slot(slot, point / LANES);
+                    row[nth] = self.memory.lanes[at].0[point % LANES];
+                }),
+                Source::Uniform(_) | Source::Constant { .. } => {
+                    let word = self.word(source, 0);
+                    rows.for_each(|(_, row)| row[nth] = word);
+                }
+            }
+        }
     }
 
     /// Where the mask of a region stands for the block.
@@ -148,7 +183,10 @@ impl Run<'_> {
                     all_of_one(objects, field, state, words);
                     continue;
                 }
-                objects.gather(field, states, words);
+                match field.of_point() {
+                    true => field.gather(states, words),
+                    false => objects.gather(field, states, words),
+                }
                 if states.len() < LANES {
                     follow_the_last(words, states.len());
                 }
