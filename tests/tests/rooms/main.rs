@@ -1,6 +1,7 @@
 //! The house: imports run down only. The rooms of each crate and their floors stand in
 //! `docs/architecture.md`; a room imports those of lower floors, a file no file that imports it.
 
+mod edits;
 mod paths;
 mod plan;
 mod tree;

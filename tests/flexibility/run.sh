@@ -1,0 +1,76 @@
+#!/bin/sh
+# What three edits of a material take: as a graph, which is read again, and as the function written by hand,
+# which is built again. The edits are the patches beside this file. Needs git, cargo and a POSIX shell; works in
+# a copy of the last commit, in a folder of its own that is removed afterwards. Takes some ten minutes, most of
+# it for the first build.
+#
+#     tests/flexibility/run.sh
+set -eu
+
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT INT TERM
+copy="$work/copy"
+git clone --quiet "$(git -C "$here" rev-parse --show-toplevel)" "$copy"
+cd "$copy"
+export CARGO_TARGET_DIR="$work/target"
+program="$CARGO_TARGET_DIR/release/phenomenon"
+graph=graphs/glass/advanced_glass.json
+
+render() { # ENGINE PICTURE
+    "$program" render "$graph" --engine "$1" --set opacity=0.6 --size 64x64 --spp 4 -o "$2" >/dev/null
+}
+
+milliseconds() {
+    # Not every date knows parts of a second; those that do not print an N.
+    now=$(date +%s%N)
+    case $now in
+        *N) echo "$(date +%s)000" ;;
+        *) echo "${now%??????}" ;;
+    esac
+}
+
+# Applies a patch, runs a command until new pixels are there, and prints lines, files and seconds.
+measured() { # PATCH COMMAND...
+    patch=$1
+    shift
+    git apply --whitespace=nowarn "$here/$patch.patch"
+    lines=$(git diff --numstat | awk '{ added += $1; removed += $2 } END { print "+" added " -" removed }')
+    files=$(git diff --numstat | wc -l | tr -d ' ')
+    start=$(milliseconds)
+    "$@"
+    end=$(milliseconds)
+    seconds=$(awk "BEGIN { printf \"%.2f\", ($end - $start) / 1000 }")
+    printf ' %s | %s | %s |' "$lines" "$files" "$seconds"
+}
+
+by_graph() {
+    render auto "$work/graph.png"
+}
+
+by_hand() {
+    cargo build --release --locked --quiet
+    render monolith "$work/hand.png"
+}
+
+echo "building what is edited ..." >&2
+cargo build --release --locked --quiet
+render auto "$work/before.png"
+
+echo "| edit | graph: lines | files | seconds | by hand: lines | files | seconds |"
+echo "| --- | ---: | ---: | ---: | ---: | ---: | ---: |"
+for edit in oren_nayar texture rainbow; do
+    printf '| %s |' "$edit"
+    measured "$edit.graph" by_graph
+    # An edit that changes no pixel was none.
+    if cmp -s "$work/before.png" "$work/graph.png"; then
+        echo "the edit $edit of the graph changes nothing" >&2
+        exit 1
+    fi
+    # By hand is found by its graph: that stays as it was.
+    git checkout --quiet .
+    measured "$edit.hand" by_hand
+    printf '\n'
+    "$program" compare "$work/graph.png" "$work/hand.png" --tolerance 5e-3 >/dev/null
+    git checkout --quiet .
+done
