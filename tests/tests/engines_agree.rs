@@ -2,8 +2,12 @@
 //!
 //! `PHENOMENON_CASES` sets how many graphs, `PHENOMENON_SEED` the first seed.
 
-use phenomenon_compiler::engine::{Engine, Options};
+use std::sync::Arc;
+
+use phenomenon_compiler::engine::{Engine, Options, Shader};
 use phenomenon_compiler::nodes::NodeLibrary;
+use phenomenon_compiler::specialise::Asking;
+use phenomenon_compiler::testing::differential::outcome;
 use phenomenon_compiler::testing::engines::{agreed, random_case};
 
 fn from_environment(name: &str, otherwise: u64) -> u64 {
@@ -49,4 +53,30 @@ fn whatever_engine_is_taken_by_itself() {
         case.options = vec![Options { engine: Engine::Auto, ..case.options[1] }; 3];
         agreed(seed, &case);
     }
+}
+
+#[test]
+fn what_laziness_leaves_out_changes_nothing() {
+    let library = NodeLibrary::standard();
+    let (mut compared, mut saved) = (0, 0);
+    for seed in 1 << 33..(1 << 33) + 150 {
+        let case = random_case(seed, &library);
+        let shader = |options: Options| Shader::new(Arc::clone(&case.graph), &case.values, options);
+        let walk = Options { engine: Engine::Walk, ..Options::default() };
+        let Ok(lazy) = shader(walk) else { continue };
+        for engine in [Engine::Walk, Engine::Batch, Engine::Jit] {
+            let eager = Options { engine, asking: Asking::All, ..Options::default() };
+            // More than there is room for, maybe.
+            let Ok(eager) = shader(eager) else { continue };
+            for root in &case.graph.roots {
+                let wanted = outcome(&lazy, root.kind, &case.points);
+                let all = outcome(&eager, root.kind, &case.points);
+                assert_eq!(wanted.results, all.results, "{engine:?}, seed {seed}");
+                assert!(wanted.log.len() <= all.log.len(), "{engine:?}, seed {seed}");
+                compared += 1;
+                saved += all.log.len() - wanted.log.len();
+            }
+        }
+    }
+    assert!(compared > 300 && saved > 1000, "{compared} compared, {saved} requests saved");
 }
