@@ -63,6 +63,47 @@ fn rows_have_their_keys_and_ratios_their_baselines() {
     }
 }
 
+#[test]
+fn materials_are_shaded_from_what_was_recorded() {
+    let folder = Folder::new();
+    let results = folder.path("new");
+    let names = ["sunglasses", "snow"];
+    let arguments = ["--workload", names[0], "--workload", names[1], "--runs", "1", "-o", &results];
+    let run = run(&[&["bench", "shade"], &arguments[..]].concat());
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let text = std::fs::read_to_string(folder.path("new/shade.json")).unwrap();
+    let report: Value = serde_json::from_str(&text).unwrap();
+    let rows = report["rows"].as_array().unwrap();
+    for name in names {
+        for batch in [1, 16, 256] {
+            let of = |engine: &str| {
+                let is_it = |row: &&Value| {
+                    row["workload"] == name && row["batch"] == batch && row["engine"] == engine
+                };
+                rows.iter().find(is_it)
+            };
+            for engine in ["walk", "batch", "monolith", "monolith_same_bits"] {
+                let row = of(engine).unwrap_or_else(|| panic!("{name} lacks {engine}"));
+                assert!(row["ns_per_point"].as_f64().unwrap() > 0.0, "{row}");
+                let compiled = row.get("compile_ms").map(|it| it.as_f64().unwrap() > 0.0);
+                assert_eq!(compiled, (!engine.starts_with("monolith")).then_some(true), "{row}");
+            }
+            let jit = Generator::chosen(None).is_ok();
+            assert_eq!((of("jit").is_some(), of("jit_eager").is_some()), (jit, jit));
+        }
+    }
+    // Laziness saves something in both: rays of what is opaque, and light from below the surface.
+    let counted = run.output.split("| material | requests").nth(1).unwrap();
+    for name in names {
+        let line = counted.lines().find(|line| line.starts_with(&format!("| {name} |"))).unwrap();
+        let figures: Vec<f64> =
+            line.split('|').filter_map(|figure| figure.trim().parse().ok()).collect();
+        let [requests, of_all, evaluations, of_all_nodes] = figures[..] else { panic!("{line}") };
+        assert!(0.0 < requests && requests < of_all, "{line}");
+        assert!(0.0 < evaluations && evaluations < of_all_nodes, "{line}");
+    }
+}
+
 /// Of `bench compile`: names, then milliseconds.
 const STAGES: [&str; 10] = [
     "graph",

@@ -35,7 +35,7 @@ pub use cd::Cd;
 pub use checker_floor::CheckerFloor;
 pub use constant_simple::ConstantSimple;
 pub use gradient_sky::GradientSky;
-pub use identity::{NotWrittenByHand, recognise};
+pub use identity::{NotWrittenByHand, graph_by_hand, recognise};
 pub use library::{MonolithError, NAMES, find, find_same_bits};
 pub use of_graph::{NoMonolith, of_graph};
 pub use pointwise::{Parameter, PointShader, Pointwise};

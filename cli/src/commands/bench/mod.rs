@@ -1,9 +1,7 @@
 //! `phenomenon bench`.
 
-mod column;
 mod command;
 mod compile;
-mod contender;
 mod generators;
 mod render;
 mod results;

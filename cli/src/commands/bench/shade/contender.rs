@@ -1,47 +1,21 @@
-//! One engine at one workload, and the clock.
+//! One engine at one subject, and the clock.
 
 use std::time::Duration;
 
 use cpu_time::ThreadTime;
-use phenomenon_compiler::effects::NoScene;
-use phenomenon_compiler::engine::{Shade, Shaded};
-use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::state::State;
 
-use super::column::Column;
-use super::statistics::{median, spread};
-use super::workloads::Workload;
+use super::column::{Column, Shading};
+use super::points::Points;
+use crate::commands::bench::statistics::{median, spread};
 
 /// How long a turn takes: long beside the clock's steps, short beside the minutes of a machine.
 const TURN: Duration = Duration::from_millis(10);
-
-/// What is shaded, and where the results go.
-pub struct Points {
-    states: Vec<State>,
-    results: Vec<Shaded>,
-}
-
-impl Points {
-    /// The points of a workload.
-    pub fn new(workload: Workload) -> Self {
-        let states = workload.states();
-        Self { results: vec![Shaded::default(); states.len()], states }
-    }
-
-    /// Shades all of them once, linked once as a renderer does it.
-    fn shade(&mut self, shader: &dyn Shade, batch: usize) {
-        let links = shader.link(&mut NoScene);
-        for (points, results) in self.states.chunks(batch).zip(self.results.chunks_mut(batch)) {
-            shader.shade_linked(RootKind::Material, points, &links, &mut NoScene, results);
-        }
-    }
-}
 
 /// One of those that are compared.
 pub struct Contender {
     /// Who it is.
     pub column: Column,
-    shader: Box<dyn Shade>,
+    shading: Shading,
     /// Passes over all points in a turn.
     passes: u32,
     /// Nanoseconds a point, turn by turn.
@@ -50,26 +24,26 @@ pub struct Contender {
 
 impl Contender {
     /// Runs it until it is warm, which says how many passes a turn has.
-    pub fn new(column: Column, shader: Box<dyn Shade>, batch: usize, points: &mut Points) -> Self {
+    pub fn new(column: Column, shading: Shading, points: &mut Points) -> Self {
         // Codes of all ray types are made, and memory is taken.
-        points.shade(shader.as_ref(), batch);
+        points.shade(shading.shader());
         let start = ThreadTime::now();
         let mut passes = 0;
         // Where the clock does not move, a turn is some 10,000 passes and not endless.
         while start.elapsed() < TURN && passes < MOST_PASSES {
-            points.shade(shader.as_ref(), batch);
+            points.shade(shading.shader());
             passes += 1;
         }
-        Self { column, shader, passes, turns: Vec::new() }
+        Self { column, shading, passes, turns: Vec::new() }
     }
 
     /// Measures it once.
-    pub fn take_turn(&mut self, batch: usize, points: &mut Points) {
+    pub fn take_turn(&mut self, points: &mut Points) {
         let start = ThreadTime::now();
         for _ in 0..self.passes {
-            points.shade(self.shader.as_ref(), batch);
+            points.shade(self.shading.shader());
         }
-        let shaded = f64::from(self.passes) * points.states.len() as f64;
+        let shaded = f64::from(self.passes) * points.count() as f64;
         self.turns.push(start.elapsed().as_secs_f64() * 1e9 / shaded);
     }
 
@@ -86,6 +60,14 @@ impl Contender {
     /// The median of the ratios to what another took in the same turn.
     pub fn ratio(&self, to: &Self) -> f64 {
         median(self.turns.iter().zip(&to.turns).map(|(own, other)| own / other))
+    }
+
+    /// Time spent compiling its graph, machine code included, in milliseconds; none without a graph.
+    pub fn compile_milliseconds(&self) -> Option<f64> {
+        match &self.shading {
+            Shading::Compiled(shader) => Some(shader.compile_milliseconds()),
+            Shading::ByHand(_) => None,
+        }
     }
 }
 
