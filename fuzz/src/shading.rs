@@ -46,7 +46,13 @@ impl Renderer for Nothing {
     ) {
         let direction = if at == 0 { [0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0] };
         let token = at as u64;
-        samples.fill(LightSample { direction, distance: at as f32, reachable: at < 2, token });
+        samples.fill(LightSample {
+            direction,
+            distance: at as f32,
+            reachable: at < 2,
+            token,
+            ..LightSample::default()
+        });
     }
 
     fn light_colors(&mut self, _: Points<'_>, tokens: &[u64], colors: &mut [[f32; 3]]) {

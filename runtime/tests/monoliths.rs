@@ -118,7 +118,8 @@ impl Renderer for Mock {
         for (point, sample) in points.iter().zip(samples) {
             let reachable = !(point.path + iteration as u64).is_multiple_of(4);
             let (direction, token) = (LIGHTS[iteration], iteration as u64);
-            *sample = LightSample { direction, distance: 0.0, reachable, token };
+            *sample =
+                LightSample { direction, distance: 0.0, density: f32::INFINITY, reachable, token };
         }
     }
 

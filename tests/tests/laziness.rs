@@ -40,7 +40,7 @@ fn expect_requests(
 }
 
 fn light(direction: [f32; 3]) -> LightSample {
-    LightSample { direction, distance: 1.0, reachable: true, token: 0 }
+    LightSample { direction, distance: 1.0, density: 1.0, reachable: true, token: 0 }
 }
 
 const ABOVE: [f32; 3] = [0.0, 0.6, 0.8];

@@ -62,6 +62,10 @@ fn example(section: &Section) -> Example {
         "rectangle_light" => "/lights/3/rectangle",
         "disc" => "/lights/4/disc",
         "sphere_light" => "/lights/5/sphere",
+        "environment_light" => {
+            scene["lights"] = json!([{ "name": "g", "environment": {} }]);
+            "/lights/0/environment"
+        }
         "environment" => "/environment",
         "gradient" => {
             scene["environment"] = json!({ "gradient": {

@@ -17,8 +17,9 @@ fn forbidden(station: RootKind, kind: &Kind) -> Option<&'static str> {
         _ => None,
     };
     let over_lights = matches!(kind, Kind::Loop(Iterated::Lights, _));
-    let lights = over_lights || asked == Some(Asked::LightColors);
-    let traces = asked.is_some_and(|asked| asked != Asked::LightColors);
+    let of_lights = [Asked::LightColors, Asked::LightDensity];
+    let lights = over_lights || asked.is_some_and(|asked| of_lights.contains(&asked));
+    let traces = asked.is_some_and(|asked| !of_lights.contains(&asked));
     let environment = asked == Some(Asked::Rays(Trace::Environment));
     match station {
         RootKind::Environment if environment => {

@@ -22,6 +22,8 @@ pub enum Asked {
     /// [`Renderer::light_colors`](super::Renderer::light_colors), for the sample of the innermost loop
     /// over lights. Each is asked for once, whoever asks.
     LightColors,
+    /// [`Renderer::light_density`](super::Renderer::light_density).
+    LightDensity,
     /// [`Renderer::read_texture`](super::Renderer::read_texture), of the texture among the arguments.
     Texels,
     /// [`Renderer::texture_size`](super::Renderer::texture_size), of the texture among the arguments.
@@ -106,6 +108,11 @@ effects! {
         takes [],
         yields [color: Color],
         reads [Point, NormalGeom, InvNormal, LightDirection, LightDistance];
+    /// How densely the environment light draws a direction.
+    LightDensity "light_density" asks Asked::LightDensity,
+        takes [direction: Vector],
+        yields [density: Scalar],
+        reads [];
     /// The colour of a texture.
     ReadTexture "read_texture" asks Asked::Texels,
         takes [texture: Texture, u: Scalar, v: Scalar, wrap_u: Integer, wrap_v: Integer, filter: Integer,

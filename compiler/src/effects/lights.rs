@@ -60,6 +60,8 @@ pub struct LightSample {
     pub direction: [f32; 3],
     /// Distance to it; 0 for a light at infinity.
     pub distance: f32,
+    /// How densely the samples of the light lie in its direction, per steradian; infinite for a light that no ray finds.
+    pub density: f32,
     /// Whether the point can be lit by it at all (within its cone, not at its centre …).
     pub reachable: bool,
     /// Which sample it is, in the renderer's own words: what comes back where its colour is asked

@@ -79,6 +79,12 @@ pub trait Renderer {
         samples.fill(LightSample::default());
     }
 
+    /// How densely the environment light draws each direction, per steradian and of all its samples: what
+    /// [`LightSample::density`] would be there. 0 without such a light.
+    fn light_density(&mut self, _directions: &[[f32; 3]], densities: &mut [f32]) {
+        densities.fill(0.0);
+    }
+
     /// What the light sample with each point's token sends there, after shadows (r, g, b), divided by
     /// the number of samples of its light: a loop only adds. The token is one that
     /// [`Renderer::light_samples`] gave out for the point as the loop sees it; a scope inside the loop may

@@ -16,6 +16,8 @@ pub(super) enum Question {
     Rays(Trace, u64),
     /// For the colours of the light samples with the points' tokens.
     LightColors,
+    /// For the density of the environment light.
+    LightDensity,
     /// For pixels of a texture.
     Texels(TextureId, Sampling),
     /// For the size of a texture.
@@ -33,6 +35,7 @@ impl Question {
         match (effect.asked(), subject) {
             (Asked::Rays(trace), _) => Some(Question::Rays(trace, site)),
             (Asked::LightColors, Subject::Light { .. }) => Some(Question::LightColors),
+            (Asked::LightDensity, _) => Some(Question::LightDensity),
             (Asked::Texels, Subject::Texture(at, sampling)) => {
                 Some(Question::Texels(links.texture(at), sampling))
             }
@@ -60,6 +63,8 @@ pub(super) struct Asking {
     rays: Vec<Ray>,
     traced: Vec<Answer>,
     colors: Vec<[f32; 3]>,
+    directions: Vec<[f32; 3]>,
+    densities: Vec<f32>,
     lookups: Vec<Lookup>,
     texels: Vec<Option<[f32; 4]>>,
 }
@@ -79,6 +84,7 @@ impl Asking {
         match question {
             Question::Rays(trace, site) => self.trace(trace, site, batch, renderer),
             Question::LightColors => self.light_colors(batch, renderer),
+            Question::LightDensity => self.light_density(renderer),
             Question::Texels(texture, sampling) => self.read_texture(texture, sampling, renderer),
             Question::TextureSize(texture) => self.texture_size(texture, renderer),
         }
@@ -120,6 +126,17 @@ impl Asking {
         for (row, [r, g, b]) in rows.iter_mut().zip(&self.colors) {
             *row = [*r, *g, *b, 1.0].map(f32::to_bits);
         }
+    }
+
+    fn light_density(&mut self, renderer: &mut dyn Renderer) {
+        self.directions.clear();
+        let vectors = self.arguments.chunks_exact(3);
+        self.directions
+            .extend(vectors.map(|words| [words[0], words[1], words[2]].map(f32::from_bits)));
+        self.densities.clear();
+        self.densities.resize(self.directions.len(), 0.0);
+        renderer.light_density(&self.directions, &mut self.densities);
+        self.answers.extend(self.densities.iter().map(|density| density.to_bits()));
     }
 
     fn texture_size(&mut self, texture: TextureId, renderer: &mut dyn Renderer) {

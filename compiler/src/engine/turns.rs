@@ -70,11 +70,11 @@ impl Turning {
         if let Some(list) = list {
             renderer.light_samples(list, number, points, &mut self.samples);
         }
-        self.words.resize(4 * self.samples.len(), 0);
-        let (rows, _) = self.words.as_chunks_mut::<4>();
+        self.words.resize(5 * self.samples.len(), 0);
+        let (rows, _) = self.words.as_chunks_mut::<5>();
         for (row, sample) in rows.iter_mut().zip(&self.samples) {
             let [x, y, z] = sample.direction;
-            *row = [x, y, z, sample.distance].map(f32::to_bits);
+            *row = [x, y, z, sample.distance, sample.density].map(f32::to_bits);
         }
         self.reached.extend(self.samples.iter().map(|sample| sample.reachable));
         self.tokens.extend(self.samples.iter().map(|sample| sample.token));

@@ -124,7 +124,7 @@ nodes! {
     }
     /// Rays: directions, and requests to the renderer.
     rays {
-        call_shader, fallback, image_size, light_color, ray_is, ray_switch, reflection_direction, refraction_direction,
+        call_shader, fallback, image_size, light_color, light_density, ray_is, ray_switch, reflection_direction, refraction_direction,
         texture_lookup,
         trace_environment, trace_probe, trace_reflection, trace_refraction, trace_transparent,
     }
@@ -158,7 +158,7 @@ nodes! {
     /// Loops over samples, and what is drawn in them.
     samples {
         direction_cone, direction_hemisphere, direction_sphere, glossy_reflection_direction,
-        glossy_refraction_direction, point_on_disc, sample_loop, stratified_sample,
+        glossy_refraction_direction, point_on_disc, power_heuristic, sample_loop, stratified_sample,
     }
     /// The spaces of objects, scene, camera and picture.
     spaces { screen_to_world, transform_space, world_to_screen }

@@ -46,7 +46,7 @@ pub(super) fn badge(kind: &Kind) -> Option<Badge> {
         Kind::Plain | Kind::List(_) => return None,
         Kind::Fields(_) => (Accent::State, "state"),
         Kind::Request(effect) => match effect.asked() {
-            Asked::LightColors => (Accent::Light, "light"),
+            Asked::LightColors | Asked::LightDensity => (Accent::Light, "light"),
             Asked::Texels | Asked::TextureSize => (Accent::State, "texture"),
             Asked::Rays(_) => (Accent::Ray, "ray"),
         },

@@ -262,6 +262,8 @@ fields! {
     LightDirection "light_direction" Vector in UNIT, of Lights;
     /// Distance to the light sample, 0 for one at infinity; only inside a light loop.
     LightDistance "light_distance" Scalar in DISTANCE, of Lights;
+    /// How densely the samples of the light lie in its direction, per steradian; infinite for a light that no ray finds, as all are but the environment; only inside a light loop.
+    LightDensity "light_density" Scalar in DISTANCE, of Lights;
     /// Number of the sample, from 0; only inside a sample loop.
     SampleIndex "sample_index" Integer in COUNT, of Samples;
     /// First number drawn for the sample, 0 to below 1; only inside a sample loop.

@@ -211,9 +211,21 @@ impl Renderer for MockRenderer {
             *sample = LightSample {
                 direction: random.vector(),
                 distance: random.number(),
+                density: random.number(),
                 reachable: random.chance(70),
                 token,
             };
+        }
+    }
+
+    fn light_density(&mut self, directions: &[[f32; 3]], densities: &mut [f32]) {
+        assert_eq!(directions.len(), densities.len());
+        assert!(!directions.is_empty(), "a request without points");
+        for (direction, density) in directions.iter().zip(densities) {
+            let mut record = vec![Effect::LightDensity as u32];
+            record.extend(numbers(*direction));
+            *density = Random::new(hash(record.iter().copied())).number();
+            self.log.push(record);
         }
     }
 

@@ -57,7 +57,7 @@ impl Renderer for Asked {
         samples: &mut [LightSample],
     ) {
         let direction = [0.0, 0.0, 1.0];
-        samples.fill(LightSample { direction, distance: 0.0, reachable: true, token: 0 });
+        samples.fill(LightSample { direction, reachable: true, ..LightSample::default() });
     }
     fn light_colors(&mut self, _: Points<'_>, _: &[u64], colors: &mut [[f32; 3]]) {
         colors.fill([1.0, 2.0, 4.0]);

@@ -72,9 +72,16 @@ impl EnvironmentImage {
         let [x, y, z] = direction;
         let turns = x.atan2(-z) / TAU + 0.5 - self.rotation / 360.0;
         let latitude = y.clamp(-1.0, 1.0).acos() / PI;
+        let (width, height) = (self.film.width() as f32, self.film.height() as f32);
+        let [r, g, b, _] = self.between((turns - turns.floor()) * width, latitude * height);
+        let scale = self.intensity;
+        [r * scale, g * scale, b * scale, 1.0]
+    }
+
+    /// The colour at a place in pixels from the upper left corner, bilinear between their middles, without the factor.
+    pub(super) fn between(&self, column: f32, row: f32) -> [f32; 4] {
         let (width, height) = (self.film.width() as i64, self.film.height() as i64);
-        let column = (turns - turns.floor()) * width as f32 - 0.5;
-        let row = latitude * height as f32 - 0.5;
+        let (column, row) = (column - 0.5, row - 0.5);
         let (left, top) = (column.floor(), row.floor());
         let (across, down) = (column - left, row - top);
         let at = |column: i64, row: i64| {
@@ -90,8 +97,7 @@ impl EnvironmentImage {
             across * down,
         ];
         let blend = |k: usize| (0..4).map(|at| corners[at][k] * weights[at]).sum::<f32>();
-        let scale = self.intensity;
-        [blend(0) * scale, blend(1) * scale, blend(2) * scale, 1.0]
+        [blend(0), blend(1), blend(2), 1.0]
     }
 }
 

@@ -1,5 +1,9 @@
 //! Lights: what they send to a point.
 
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
 use super::arrival::{Arrival, LightSource, Way};
 use super::{Disc, Rectangle, Sphere, Spot};
 use crate::geometry::{double, single};
@@ -37,6 +41,11 @@ pub enum LightKind {
     Disc(Disc),
     /// Shines from a sphere.
     Sphere(Sphere),
+    /// Shines from all around, as the environment of the scene does.
+    Environment {
+        /// How many samples a point takes of it.
+        samples: u32,
+    },
 }
 
 impl LightKind {
@@ -47,12 +56,16 @@ impl LightKind {
             LightKind::Rectangle(rectangle) => rectangle.samples,
             LightKind::Disc(disc) => disc.samples,
             LightKind::Sphere(sphere) => sphere.samples,
+            LightKind::Environment { samples } => *samples,
         }
     }
 
     /// Whether it matters where on the light a sample lies.
     pub fn has_extent(&self) -> bool {
-        matches!(self, LightKind::Rectangle(_) | LightKind::Disc(_) | LightKind::Sphere(_))
+        !matches!(
+            self,
+            LightKind::Point { .. } | LightKind::Directional { .. } | LightKind::Spot(_)
+        )
     }
 }
 
@@ -72,11 +85,14 @@ pub struct LightSight {
     pub color: [f32; 3],
     /// Where it comes from.
     pub source: LightSource,
+    /// How densely all samples of the light lie there, per steradian; infinite for a light that no ray finds.
+    pub density: f32,
 }
 
 impl Light {
     /// The light as `point` sees it, or of a light with extent the place of it that lies at `at` in the unit square;
-    /// none if nothing can arrive from there: it has no direction, as at its very centre, or shines to another side.
+    /// none if nothing can arrive from there: it has no direction, as at its very centre, or shines to another side. What an
+    /// environment shows is not known here: [`Light::seen_towards`].
     #[inline]
     pub fn seen_from(&self, point: [f32; 3], at: [f64; 2]) -> Option<LightSight> {
         let point = double(point);
@@ -93,12 +109,26 @@ impl Light {
                 let source = LightSource::Towards(towards.try_normalize()?);
                 let (direction, distance) = (single(towards / length), None);
                 let color = self.power.map(|power| saturated(power.into()));
-                usable.then_some(LightSight { direction, distance, color, source })
+                let density = f32::INFINITY;
+                usable.then_some(LightSight { direction, distance, color, source, density })
             }
             LightKind::Spot(spot) => Some(self.sight(&spot.arrival(point)?)),
             LightKind::Rectangle(rectangle) => Some(self.sight(&rectangle.arrival(point, at)?)),
             LightKind::Disc(disc) => Some(self.sight(&disc.arrival(point, at)?)),
             LightKind::Sphere(sphere) => Some(self.sight(&sphere.arrival(point, at)?)),
+            LightKind::Environment { .. } => None,
+        }
+    }
+
+    /// A sample of an environment in a direction that is drawn so densely, per steradian. Its colour is that of a white
+    /// one, over pi as that of all lights: under it, white that is matt is 1.
+    pub(crate) fn seen_towards(&self, towards: DVec3, density: f32) -> LightSight {
+        LightSight {
+            direction: single(towards),
+            distance: None,
+            color: self.power.map(|power| saturated(f64::from(power) / (PI * f64::from(density)))),
+            source: LightSource::Towards(towards),
+            density: density * self.kind.samples() as f32,
         }
     }
 
@@ -110,8 +140,17 @@ impl Light {
             distance: Some(it.distance),
             color: self.power.map(|power| saturated(f64::from(power) * it.share / it.over)),
             source: LightSource::At(it.place),
+            density: f32::INFINITY,
         }
     }
+}
+
+/// Light of a colour through a glass of another, which is no light where it is negative or no number.
+pub(crate) fn tinted(light: [f32; 3], by: [f32; 4]) -> [f32; 3] {
+    std::array::from_fn(|k| match f64::from(by[k]) {
+        by if by > 0.0 => saturated(f64::from(light[k]) * by.min(f64::from(f32::MAX))),
+        _ => 0.0,
+    })
 }
 
 /// At most the limit, of either sign.

@@ -69,7 +69,7 @@ impl<'r> Asking<'r> {
         let points = Points::from(std::slice::from_ref(point));
         let mut samples = [LightSample::default()];
         self.renderer.light_samples(self.lights?, number, points, &mut samples);
-        let [LightSample { direction, distance, reachable, token }] = samples;
+        let [LightSample { direction, distance, reachable, token, .. }] = samples;
         reachable.then_some(Light { direction: direction.into(), distance, token })
     }
 

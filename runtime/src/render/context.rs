@@ -42,6 +42,8 @@ pub struct Context<'s> {
     /// Of each material, then of the environment: what its shader names. Shared, so that a shading call
     /// holds on to it while the context answers requests.
     links: Arc<[Links]>,
+    /// Whether it only looks at the environment, to find out how bright it is.
+    pub(super) looking: bool,
 }
 
 impl<'s> Context<'s> {
@@ -59,12 +61,18 @@ impl<'s> Context<'s> {
             nesting: 0,
             light_lists: LightLists::default(),
             links: Arc::new([]),
+            looking: false,
         };
         let materials = scene.materials.iter().map(|material| &material.shader);
         let environment = scene.environment.as_ref().and_then(Environment::shader);
         context.links =
             materials.chain(environment).map(|shader| shader.link(&mut context)).collect();
         context
+    }
+
+    /// One that only looks at the environment.
+    pub(super) fn looking(scene: &'s Scene, batch: usize) -> Self {
+        Self { looking: true, ..Self::new(scene, batch) }
     }
 
     /// Rays so far.
@@ -257,6 +265,30 @@ impl<'s> Context<'s> {
         }
     }
 
+    /// What rays see that leave the scene; black and not ok where nothing says it.
+    pub(super) fn shade_environment(&mut self, states: &[State], results: &mut Vec<Shaded>) {
+        let scene = self.scene;
+        results.clear();
+        results.resize(states.len(), Shaded::default());
+        match &scene.environment {
+            Some(Environment::Shader(shader)) if shader.has_root(RootKind::Environment) => {
+                let links = scene.materials.len();
+                self.costs.of_mut(Entry::EnvironmentShader).count += states.len() as u64;
+                let before = self.clock.renderer(Some(Entry::EnvironmentShader));
+                self.shade(&**shader, links, RootKind::Environment, states, results);
+                self.clock.switch(before);
+            }
+            Some(environment) => {
+                for (state, result) in states.iter().zip(results) {
+                    if let Some(color) = environment.color(state.direction) {
+                        *result = Shaded { color, ok: true };
+                    }
+                }
+            }
+            None => {}
+        }
+    }
+
     /// Shades points by the shader with these links.
     fn shade(
         &mut self,
@@ -301,18 +333,12 @@ impl<'s> Context<'s> {
             self.clock.switch(before);
             return;
         }
-        let links = scene.materials.len();
         for batch in missed.chunks(self.batch) {
             lookups.clear();
             lookups.extend(batch.iter().map(|&(slot, direction)| {
                 environment_state(from(slot), &rays[slot as usize], direction)
             }));
-            results.clear();
-            results.resize(lookups.len(), Shaded::default());
-            self.costs.of_mut(Entry::EnvironmentShader).count += lookups.len() as u64;
-            let looked_up = self.clock.renderer(Some(Entry::EnvironmentShader));
-            self.shade(&**shader, links, RootKind::Environment, lookups, results);
-            self.clock.switch(looked_up);
+            self.shade_environment(lookups, results);
             for (&(slot, _), result) in batch.iter().zip(&*results) {
                 answers[slot as usize] = answer(result.color, result.ok);
             }

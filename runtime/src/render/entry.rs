@@ -118,6 +118,7 @@ impl From<Effect> for Entry {
             Effect::TraceEnvironment => Entry::Environment,
             Effect::TraceProbe => Entry::Probe,
             Effect::LightColor => Entry::ShadowRays,
+            Effect::LightDensity => Entry::LightLoops,
             Effect::ReadTexture | Effect::TextureSize => Entry::Texture,
         }
     }
@@ -168,6 +169,7 @@ impl Entry {
             | Field::CameraHeight
             | Field::LightDirection
             | Field::LightDistance
+            | Field::LightDensity
             | Field::SampleIndex
             | Field::SampleU
             | Field::SampleV => return None,

@@ -11,7 +11,7 @@ use super::light_lists::ListedSample;
 use super::points::{note, place, precise_point};
 use super::scratch::{Occluder, Scratch};
 use crate::geometry::single;
-use crate::lights::{Light, LightSight, LightSource};
+use crate::lights::{Light, LightKind, LightSight, LightSource};
 use crate::sampling::{child_path, light_position};
 use crate::scene::Scene;
 
@@ -35,10 +35,11 @@ impl Context<'_> {
         let light = &self.scene.lights[listed.light as usize];
         let token = listed.token();
         for (point, sample) in points.iter().zip(samples) {
-            *sample = match seen(light, listed, point) {
+            *sample = match self.seen(light, listed, point) {
                 Some(sight) => LightSample {
                     direction: sight.direction,
                     distance: sight.distance.unwrap_or(0.0) as f32,
+                    density: sight.density,
                     reachable: true,
                     token,
                 },
@@ -63,7 +64,7 @@ impl Context<'_> {
         scratch.ranges.clear();
         scratch.sources.clear();
         for (at, (point, color)) in points.iter().zip(&mut *colors).enumerate() {
-            let sight = seen(light, listed, point);
+            let sight = self.seen(light, listed, point);
             scratch.sources.push(sight.map_or(LightSource::Towards(DVec3::Y), |it| it.source));
             let Some(sight) = sight else { continue };
             if sight.color == [0.0; 3] {
@@ -76,7 +77,24 @@ impl Context<'_> {
             }
             *color = sight.color.map(|color| color / share);
         }
+        if matches!(light.kind, LightKind::Environment { .. }) {
+            self.shine(points, colors, scratch);
+        }
         self.filter(listed, points, colors, scratch);
+    }
+
+    /// A sample of a light as a point sees it. Where on the light it lies, point and sample alone decide: it is
+    /// the same however points are grouped, and the same for all loops at the point.
+    #[inline]
+    fn seen(&self, light: &Light, listed: ListedSample, point: &State) -> Option<LightSight> {
+        let at = match light.kind.has_extent() {
+            true => light_position(point.path, listed.light, listed.sample),
+            false => [0.5; 2],
+        };
+        match light.kind {
+            LightKind::Environment { .. } => self.seen_in_environment(light, point, at),
+            _ => light.seen_from(point.point, at),
+        }
     }
 
     /// Collects what lies between a point and a light, sorted by distance from the point; false if
@@ -174,17 +192,6 @@ impl Context<'_> {
             }
         }
     }
-}
-
-/// A sample of a light as a point sees it. Where on the light it lies, point and sample alone decide: it is
-/// the same however points are grouped, and the same for all loops at the point.
-#[inline]
-fn seen(light: &Light, listed: ListedSample, point: &State) -> Option<LightSight> {
-    let at = match light.kind.has_extent() {
-        true => light_position(point.path, listed.light, listed.sample),
-        false => [0.5; 2],
-    };
-    light.seen_from(point.point, at)
 }
 
 /// Request site of the shadow shaders at one of the occluders on the way to a sample.

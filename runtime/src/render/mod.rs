@@ -6,6 +6,7 @@ mod context;
 mod costs;
 mod empty_scene;
 mod entry;
+mod environment_light;
 mod light_lists;
 mod lighting;
 mod lookups;

@@ -81,6 +81,13 @@ impl Renderer for Context<'_> {
         self.clock.switch(before);
     }
 
+    fn light_density(&mut self, directions: &[[f32; 3]], densities: &mut [f32]) {
+        let before = self.clock.renderer(Some(Entry::LightLoops));
+        self.costs.of_mut(Entry::LightLoops).count += directions.len() as u64;
+        self.density_of_directions(directions, densities);
+        self.clock.switch(before);
+    }
+
     fn light_colors(&mut self, points: Points<'_>, tokens: &[u64], colors: &mut [[f32; 3]]) {
         colors.fill([0.0; 3]);
         self.nested(Some(Entry::ShadowRays), |context, scratch| {

@@ -1,6 +1,6 @@
 //! Building a scene.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
 use glam::DVec3;
@@ -18,7 +18,7 @@ use crate::geometry::{
     COORDINATE_LIMIT, Mesh, MeshError, PreparedRay, Primitive, RawHit, ShadowTerminator, Shape,
     Sphere, Surface, Transform, double, single,
 };
-use crate::lights::{Environment, Light};
+use crate::lights::{DirectionTable, Environment, Light};
 use crate::texture::{TextureError, Textures};
 
 /// Why a scene could not be built.
@@ -59,6 +59,8 @@ pub struct Scene {
     pub(crate) materials: Vec<Material>,
     pub(crate) lights: Vec<Light>,
     pub(crate) environment: Option<Environment>,
+    /// How bright the environment is in all directions, once a sample of it has been asked for.
+    pub(crate) directions: OnceLock<Option<DirectionTable>>,
     pub(crate) camera: Camera,
     pub(crate) depth: TraceDepth,
     /// Middle of the box round everything, and half its diagonal.
@@ -212,6 +214,7 @@ impl SceneBuilder {
             materials: self.materials.into_iter().map(material).collect(),
             lights: self.lights,
             environment: self.environment,
+            directions: OnceLock::new(),
             camera: self.camera,
             depth: self.depth,
             extent,

@@ -116,6 +116,9 @@ fn scene(
         Some(value) => lights::lights(reader, value),
         None => Some(Vec::new()),
     };
+    if let Some(value) = object.optional("lights") {
+        lights::check_environment_lights(reader, value, object.optional("environment").is_some());
+    }
     file.lights = lights.as_ref().map(|lights| LightNames {
         names: lights.iter().map(|light| light.name.clone()).collect(),
         place: object.optional("lights").map(|value| document.place(value)),

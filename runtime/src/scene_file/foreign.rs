@@ -20,7 +20,6 @@ const LIGHTS: [(&[&str], &str); 5] = [
             "dome",
             "sky",
             "skydome",
-            "environment",
             "env",
             "hdri",
             "ibl",
@@ -29,12 +28,12 @@ const LIGHTS: [(&[&str], &str); 5] = [
             "ambient",
             "hemisphere",
         ],
-        "light from all around is the `environment` of the scene",
+        "light from all around is an `environment` light, which shines as the `environment` of the scene does",
     ),
 ];
 
 /// How a light of each kind is written.
-const FORMS: [(&str, &str); 6] = [
+const FORMS: [(&str, &str); 7] = [
     ("point", "{ \"position\": [x, y, z] }"),
     ("spot", "{ \"position\": [x, y, z], \"direction\": [x, y, z] }"),
     ("directional", "{ \"direction\": [x, y, z] }"),
@@ -44,6 +43,7 @@ const FORMS: [(&str, &str); 6] = [
     ),
     ("disc", "{ \"position\": [x, y, z], \"direction\": [x, y, z], \"radius\": r }"),
     ("sphere", "{ \"position\": [x, y, z], \"radius\": r }"),
+    ("environment", "{ \"samples\": n }"),
 ];
 
 /// Shapes there are not.
@@ -84,7 +84,7 @@ pub(super) fn light(reader: &mut Reader<'_>, value: &Value) -> bool {
                 member,
                 message,
                 format!(
-                    "a light is one of `point`, `spot`, `directional`, `rectangle`, `disc` and `sphere`; {instead}"
+                    "a light is one of `point`, `spot`, `directional`, `rectangle`, `disc`, `sphere` and `environment`; {instead}"
                 ),
             )
         }

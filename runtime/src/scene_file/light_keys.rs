@@ -70,10 +70,16 @@ pub static LIGHT_SOURCE: Section = Section {
             Given::Choice,
             "It shines from the outside of a sphere",
         ),
+        key(
+            "environment",
+            Kind::Object(&ENVIRONMENT_LIGHT),
+            Given::Choice,
+            "It shines from all around, as the environment of the scene does; one of them at most",
+        ),
         measured("color", COLOR, Given::Default("[1, 1, 1]"), LINEAR, "Its colour"),
         key("intensity", Kind::Number(LIGHT), Given::Default("1"), "Factor on its colour"),
     ],
-    one_of: &["point", "spot", "directional", "rectangle", "disc", "sphere"],
+    one_of: &["point", "spot", "directional", "rectangle", "disc", "sphere", "environment"],
 };
 
 /// A point light.
@@ -169,5 +175,13 @@ pub static SPHERE_LIGHT: Section = Section {
         measured("radius", EXTENT, Given::Required, SCENE_UNITS, "Its radius"),
         SAMPLES,
     ],
+    one_of: &[],
+};
+
+/// The environment as a light.
+pub static ENVIRONMENT_LIGHT: Section = Section {
+    name: "environment_light",
+    what: "an environment light",
+    keys: &[SAMPLES],
     one_of: &[],
 };

@@ -9,8 +9,8 @@ use super::fields::{color, section, vector};
 use super::foreign;
 use super::key_kinds::LIGHT;
 use super::light_keys::{
-    DIRECTIONAL, DISC, EXTENTS, INNER_ANGLES, LIGHT_SAMPLES, LIGHT_SOURCE, OUTER_ANGLES, POINT,
-    RECTANGLE_LIGHT, SPHERE_LIGHT, SPOT,
+    DIRECTIONAL, DISC, ENVIRONMENT_LIGHT, EXTENTS, INNER_ANGLES, LIGHT_SAMPLES, LIGHT_SOURCE,
+    OUTER_ANGLES, POINT, RECTANGLE_LIGHT, SPHERE_LIGHT, SPOT,
 };
 use crate::lights::{Disc, Light, LightKind, Rectangle, Sphere, Spot};
 
@@ -69,7 +69,7 @@ fn kind<'d>(reader: &mut Reader<'d>, object: &Object<'d>) -> Option<LightKind> {
         return None;
     }
     let [(key, value)] = given[..] else {
-        let message = "a light has exactly one shape: `point`, `spot`, `directional`, `rectangle`, `disc` or `sphere`";
+        let message = "a light has exactly one shape: `point`, `spot`, `directional`, `rectangle`, `disc`, `sphere` or `environment`";
         reader.report(Code::UNUSABLE_OBJECT, object.value, message, "give one of these keys");
         return None;
     };
@@ -90,12 +90,40 @@ fn kind<'d>(reader: &mut Reader<'d>, object: &Object<'d>) -> Option<LightKind> {
         }
         "rectangle" => rectangle(reader, value).map(LightKind::Rectangle),
         "disc" => disc(reader, value).map(LightKind::Disc),
+        "environment" => {
+            let (_, samples) = with_samples(reader, value, &ENVIRONMENT_LIGHT)?;
+            Some(LightKind::Environment { samples: samples? })
+        }
         _ => {
             let (object, samples) = with_samples(reader, value, &SPHERE_LIGHT)?;
             let position = vector(reader, &object, "position");
             let radius = extent(reader, &object, "radius");
             Some(LightKind::Sphere(Sphere::new(position?, radius?, samples?)))
         }
+    }
+}
+
+/// Reports environment lights where there is no environment, or another of them.
+pub(super) fn check_environment_lights(
+    reader: &mut Reader<'_>,
+    lights: &Value,
+    has_environment: bool,
+) {
+    let ValueKind::Array(elements) = &lights.kind else { return };
+    let mut of_environment = elements.iter().filter_map(|light| light.get("environment"));
+    let Some(first) = of_environment.next() else { return };
+    if !has_environment {
+        let message = "an environment light in a scene without `environment` has nothing to shine";
+        let help = "give the scene an `environment`, or remove the light";
+        reader.report(Code::UNUSABLE_OBJECT, first, message, help);
+    }
+    for other in of_environment {
+        let message = "a second light is the environment, which shines once";
+        let help = "remove it, or give the first one more `samples` or another `intensity`";
+        let finding =
+            Finding::new(Code::UNUSABLE_OBJECT, reader.document.place(other), message, help)
+                .with_related(reader.document.place(first), "the first one");
+        reader.findings.push(finding);
     }
 }
 

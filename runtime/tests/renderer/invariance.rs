@@ -27,6 +27,8 @@ fn scene(together: bool) -> Scene {
     builder.light(Light { name: "b".into(), power: [0.5; 3], kind });
     let kind = LightKind::Sphere(Sphere::new([-3.0, 4.0, 1.0], 0.7, 3));
     builder.light(Light { name: "c".into(), power: [9.0; 3], kind });
+    let kind = LightKind::Environment { samples: 2 };
+    builder.light(Light { name: "d".into(), power: [0.3; 3], kind });
     builder.environment(Environment::Gradient {
         zenith: [0.2, 0.4, 0.8],
         horizon: [0.9; 3],

@@ -1,6 +1,7 @@
 //! Tests of the renderer with shaders written by hand.
 
 mod answers;
+mod environment_light;
 mod invariance;
 mod light_samples;
 mod lighting;

@@ -5,7 +5,11 @@ use crate::state::Field;
 pub fn definition() -> Definition {
     Definition::of_fields(
         "light",
-        "Where the light sample of the loop round this node lies; only inside a light loop.",
-        [("direction", Field::LightDirection), ("distance", Field::LightDistance)],
+        "Where the light sample of the loop round this node lies, and how densely such samples lie there; only inside a light loop.",
+        [
+            ("direction", Field::LightDirection),
+            ("distance", Field::LightDistance),
+            ("density", Field::LightDensity),
+        ],
     )
 }

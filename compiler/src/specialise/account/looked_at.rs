@@ -163,7 +163,7 @@ impl Look<'_> {
                 let sampling = Sampling::from_numbers(&self.fixed(view));
                 part.filtered = effect.asked() == Asked::Texels && sampling.is_filtered();
             }
-            Asked::Rays(_) | Asked::LightColors => {}
+            Asked::Rays(_) | Asked::LightColors | Asked::LightDensity => {}
         }
     }
 

@@ -209,7 +209,7 @@ impl Builder<'_> {
         let Frame { key: (view, epoch), mut words, mut demands, .. } = frame;
         let sampling = self.sampling(view, &mut words)?;
         let subject = match effect.asked() {
-            Asked::Rays(_) => Some(Subject::Point),
+            Asked::Rays(_) | Asked::LightDensity => Some(Subject::Point),
             Asked::Texels | Asked::TextureSize => {
                 self.texture(view).map(|texture| Subject::Texture(texture, sampling))
             }

@@ -194,6 +194,7 @@ impl Evaluation<'_> {
             Kind::Request(effect) => {
                 let answer = match effect.asked() {
                     Asked::LightColors => self.light_color(at)?,
+                    Asked::LightDensity => self.light_density(node, at)?,
                     Asked::Texels => self.read_texture(node, at)?,
                     Asked::TextureSize => self.texture_size(node),
                     Asked::Rays(trace) => self.trace(node, trace, at)?,

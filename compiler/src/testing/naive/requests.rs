@@ -60,6 +60,18 @@ impl Evaluation<'_> {
         }
     }
 
+    pub(super) fn light_density(
+        &mut self,
+        node: usize,
+        at: SurroundingsId,
+    ) -> Result<Vec<u32>, TooLong> {
+        let words = self.input(node, 0, at)?;
+        let direction = std::array::from_fn(|k| f32::from_bits(words[k]));
+        let mut densities = [0.0];
+        self.renderer.light_density(&[direction], &mut densities);
+        Ok(densities.map(f32::to_bits).to_vec())
+    }
+
     pub(super) fn texture_size(&mut self, node: usize) -> Vec<u32> {
         let texture = self.texture(node);
         let size = texture.and_then(|texture| self.renderer.texture_size(texture));

@@ -65,6 +65,7 @@ impl Evaluation<'_> {
                 let fields = vec![
                     (Field::LightDirection, sample.direction.map(f32::to_bits).to_vec()),
                     (Field::LightDistance, number(sample.distance)),
+                    (Field::LightDensity, number(sample.density)),
                 ];
                 turns.push(Inside::Turn {
                     number: turn,

@@ -1,5 +1,7 @@
 //! Loops over lights that modes choose: the same in all engines and by the definition, and what a mode leaves out
-//! is not evaluated.
+//! is not evaluated. And the environment among the lights.
+
+mod environment;
 
 use std::convert::Infallible;
 use std::path::Path;
