@@ -96,9 +96,9 @@ impl Asking {
         self.rays.clear();
         self.rays.extend(points.iter().enumerate().map(|(at, state)| {
             // A direction, then an origin, as far as the effect takes them.
-            let (direction, origin) = match &self.arguments[at * width..][..width] {
-                &[x, y, z] => ([x, y, z].map(f32::from_bits), state.point),
-                &[x, y, z, u, v, w] => {
+            let (direction, origin) = match self.arguments[at * width..][..width] {
+                [x, y, z] => ([x, y, z].map(f32::from_bits), state.point),
+                [x, y, z, u, v, w] => {
                     ([x, y, z].map(f32::from_bits), [u, v, w].map(f32::from_bits))
                 }
                 _ => (state.direction, state.point),
