@@ -76,13 +76,18 @@ pub fn value<R: Real>(
 }
 
 /// The angles of light and viewer from the normal: the larger `a` and the smaller `b`.
+///
+/// Near double grazing their tangents grow without bound, and what those multiply vanishes. So angles are had from
+/// the surface, where they are small, and which of both is larger is told by the cosines.
 struct Angles<R: Real> {
-    larger: R,
-    smaller: R,
+    /// `1 - 2 a / pi` and `1 - 2 b / pi`.
+    rests: [R; 2],
     sines: [R; 2],
     cosines: [R; 2],
     /// Cosine of the angle between both, seen along the normal.
     apart: R,
+    /// The square of its sine: not had from the cosine, which is all but 1 or -1 where both lie in one plane.
+    aside: R,
 }
 
 impl<R: Real> Angles<R> {
@@ -94,43 +99,57 @@ impl<R: Real> Angles<R> {
         flat_out: Vector<R>,
         aligned: R,
     ) -> Self {
-        let (sine_in, sine_out) = (flat_in.dot(flat_in).sqrt(), flat_out.dot(flat_out).sqrt());
-        let (angle_in, angle_out) = (sine_in.atan2(cosine_in), sine_out.atan2(cosine_out));
+        let (squared_in, squared_out) = (flat_in.dot(flat_in), flat_out.dot(flat_out));
+        let (sine_in, sine_out) = (squared_in.sqrt(), squared_out.sqrt());
+        let across = flat_in.cross(flat_out);
         let one = cosine_in.same(1.0);
-        let in_is_larger = angle_out.less(angle_in);
+        let in_is_larger = cosine_in.less(cosine_out);
+        let sines =
+            [in_is_larger.select(sine_in, sine_out), in_is_larger.select(sine_out, sine_in)];
+        let cosines = [cosine_in.minimum(cosine_out), cosine_in.maximum(cosine_out)];
         Self {
-            larger: angle_in.maximum(angle_out),
-            smaller: angle_in.minimum(angle_out),
-            sines: [in_is_larger.select(sine_in, sine_out), in_is_larger.select(sine_out, sine_in)],
-            cosines: [
-                in_is_larger.select(cosine_in, cosine_out),
-                in_is_larger.select(cosine_out, cosine_in),
+            rests: [
+                cosines[0].atan2(sines[0]) * (2.0 / PI),
+                cosines[1].atan2(sines[1]) * (2.0 / PI),
             ],
+            sines,
+            cosines,
             apart: aligned.divide_or_zero(sine_in * sine_out).clamp_to(-one, one),
+            aside: across.dot(across).divide_or_zero(squared_in * squared_out),
         }
     }
 
-    /// `cos(dphi) tan(b)` times `sin(a)`, less `(2 b / pi)^3` where both look away from each other.
+    /// `2 b / pi`.
+    #[inline(always)]
+    fn smaller(&self) -> R {
+        self.apart.same(1.0) - self.rests[1]
+    }
+
+    /// `cos(dphi) tan(b)` times `sin(a)`, less `(2 b / pi)^3` where both look away from each other: both are 1 less
+    /// something.
     #[inline(always)]
     fn second(&self) -> R {
-        let zero = self.apart.same(0.0);
-        let smaller = self.smaller * (2.0 / PI);
-        let less = self.apart.less(zero).select(smaller * smaller * smaller, zero);
-        self.apart * (self.sines[0] - less) * (self.sines[1] / self.cosines[1])
+        let (one, three) = (self.apart.same(1.0), self.apart.same(3.0));
+        let rest = self.rests[1];
+        let cube = rest * (rest - 3.0).mul_add(rest, three);
+        let sine = self.cosines[0] * self.cosines[0] / (one + self.sines[0]);
+        let slope = self.apart.less(one.same(0.0)).select(cube - sine, self.sines[0]);
+        self.apart * slope * (self.sines[1] / self.cosines[1])
     }
 
     /// `(1 - |cos(dphi)|) tan((a + b) / 2) (4 a b / pi^2)^2`.
     #[inline(always)]
     fn third(&self) -> R {
-        let both = self.larger * self.smaller * (4.0 / (PI * PI));
+        let one = self.apart.same(1.0);
+        let both = (one - self.rests[0]) * self.smaller();
         let mean = (self.sines[0] + self.sines[1]) / (self.cosines[0] + self.cosines[1]);
-        (self.apart.same(1.0) - self.apart.absolute()) * mean * (both * both)
+        self.aside / (one + self.apart.absolute()) * mean * (both * both)
     }
 
     /// `1 - cos(dphi) (2 b / pi)^2`.
     #[inline(always)]
     fn mutual(&self) -> R {
-        let smaller = self.smaller * (2.0 / PI);
+        let smaller = self.smaller();
         (-self.apart).mul_add(smaller * smaller, self.apart.same(1.0))
     }
 }
