@@ -4,6 +4,9 @@
 use crate::bounds::hold;
 use crate::nodes::{Asked, Input, choice};
 
+/// Of base and layer.
+type Formula = fn(f64, f64) -> f64;
+
 /// Lights from nothing to the largest of the range of factors.
 fn lights() -> Vec<f32> {
     let near = |x: f32| [x.next_down(), x, x.next_up()];
@@ -33,7 +36,7 @@ fn screen(base: f64, layer: f64) -> f64 {
 
 #[test]
 fn overlay_and_screen_neither_turn_nor_burst() {
-    let formulas: [(&str, fn(f64, f64) -> f64); 2] = [("overlay", overlay), ("screen", screen)];
+    let formulas: [(&str, Formula); 2] = [("overlay", overlay), ("screen", screen)];
     for (node, formula) in formulas {
         let inputs = [Input::Number("base"), Input::Number("layer")];
         let asked = Asked { node, inputs: &inputs, fixed: &[], output: "color" };

@@ -7,13 +7,16 @@ use crate::bounds::hold_sum;
 use crate::nodes::{Asked, Input, LIGHT_AND_RAY, choice, upright};
 use crate::perfect_mirrors::{held, with};
 
+/// The terms of a sum at a row.
+type Terms = fn(&[f64]) -> Vec<f64>;
+
 /// Light and ray at cosines from next to nothing to one half, in several turns about the normal.
 fn pairs() -> Vec<Vec<f32>> {
     let cosines = [1e-38, 1e-20, 1e-10, 1e-7, 3e-6, 1e-5, 1e-4, 1e-2, 0.5];
     let mut pairs = Vec::new();
     for light in cosines {
         for viewer in cosines {
-            for turn in [0.0, 1e-3, 0.5, 1.5, 1.6, 3.0, 3.14, PI] {
+            for turn in [0.0, 1e-3, 0.5, 1.5, 1.6, 3.0, 3.135, PI] {
                 let sine = |cosine: f64| (1.0 - cosine * cosine).sqrt();
                 let towards = [sine(light) * turn.cos(), sine(light) * turn.sin(), light];
                 let ray = [-sine(viewer), 0.0, -viewer];
@@ -62,7 +65,7 @@ fn qualitative(at: &[f64]) -> Vec<f64> {
 fn both_models_keep_their_digits() {
     let inputs = [LIGHT_AND_RAY[0], LIGHT_AND_RAY[1], Input::Number("sigma")];
     let rows = with(&pairs(), &[[0.0], [0.3], [1.5]]);
-    let models: [fn(&[f64]) -> Vec<f64>; 2] = [full, qualitative];
+    let models: [Terms; 2] = [full, qualitative];
     for (model, exact) in (0..).zip(models) {
         let fixed = [upright(), ("model", choice(model))];
         let asked =

@@ -5,6 +5,9 @@ use crate::bounds::hold;
 use crate::nodes::{Asked, Input};
 use crate::scenes::{pixels, scene, text};
 
+/// Of two numbers.
+type Formula = fn(f64, f64) -> f64;
+
 /// Numbers below 2^-126, and some that meet them.
 fn faint() -> Vec<f32> {
     [1, 2, 3, 1000, 0x7f_ffff, 0x80_0000]
@@ -24,7 +27,7 @@ const HALF_A_STEP: f64 = 7.1e-46;
 
 #[test]
 fn sums_and_products_are_rounded_once() {
-    let nodes: [(&str, fn(f64, f64) -> f64); 4] = [
+    let nodes: [(&str, Formula); 4] = [
         ("add", |a, b| a + b),
         ("subtract", |a, b| a - b),
         ("multiply", |a, b| a * b),
