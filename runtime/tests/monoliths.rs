@@ -1,22 +1,28 @@
 //! Every shipped graph and its monolith: the same colours to within rounding and the same requests, and over
 //! the compiler's arithmetic the same bits of both.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::document;
 use phenomenon_compiler::effects::{
-    Answer, Effect, LightList, LightMode, LightSample, Points, Ray, Renderer, Trace,
+    Answer, Effect, LightList, LightMode, LightSample, Lookup, Points, Ray, Renderer, Sampling,
+    TextureId, Trace,
 };
 use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::{Graph, RootKind};
 use phenomenon_compiler::nodes::NodeLibrary;
-use phenomenon_compiler::state::{Footprint, Object, Objects, Place, RayType, State, Surface};
+use phenomenon_compiler::state::{
+    Field, FieldSet, Footprint, Object, Objects, Place, RayType, State, Surface,
+};
 use phenomenon_compiler::testing::random::Random;
-use phenomenon_compiler::values::Literal;
-use phenomenon_runtime::monoliths::{NAMES, find, find_same_bits};
+use phenomenon_compiler::values::{Literal, Space, Texture};
+use phenomenon_runtime::monoliths::arithmetic::Arithmetic;
+use phenomenon_runtime::monoliths::{
+    Asking, NAMES, Parameter, PointShader, Pointwise, find, find_same_bits,
+};
 
 /// A renderer whose answers change smoothly with what is asked, and which keeps requests.
 #[derive(Default)]
@@ -292,6 +298,101 @@ fn every_monolith_has_a_shipped_graph_with_its_parameters() {
     }
     names.sort();
     assert_eq!(names, NAMES);
+}
+
+/// Those that the renderer works out only where something reads them.
+fn on_demand(fields: FieldSet) -> BTreeSet<Field> {
+    let is_on_demand = |field: &Field| match field {
+        Field::U | Field::V => true,
+        other => !other.of_point() && other.of_loop().is_none(),
+    };
+    let all = Field::ALL.iter().copied().filter(is_on_demand);
+    all.filter(|field| fields.contains(*field)).collect()
+}
+
+#[test]
+fn monoliths_read_what_their_graphs_read() {
+    for name in NAMES {
+        let graph = shipped(name);
+        let (mut by_graph, mut by_hand) = (BTreeSet::new(), BTreeSet::new());
+        let presets = graph.presets.iter().map(|preset| preset.with(Vec::new()));
+        for values in std::iter::once(Vec::new()).chain(presets) {
+            let shader = Shader::new(Arc::clone(&graph), &values, Options::default()).unwrap();
+            let monolith = find(name, &values).unwrap().unwrap();
+            for root in RootKind::ALL.into_iter().filter(|root| shader.has_root(*root)) {
+                by_graph.extend(on_demand(shader.fields(root)));
+                by_hand.extend(on_demand(monolith.fields(root)));
+            }
+        }
+        // A graph's bump shifts the coordinates of the point; by hand it shifts the point alone.
+        let by_graph_alone: Vec<&Field> = by_graph.difference(&by_hand).collect();
+        let bumped: &[&Field] = if *name == "snow" { &[&Field::U, &Field::V] } else { &[] };
+        assert_eq!(by_graph_alone, bumped, "{name}");
+        assert!(by_hand.is_subset(&by_graph), "{name}: {by_hand:?}");
+    }
+}
+
+/// A picture, as an author reads it.
+#[derive(Default)]
+struct Poster;
+
+impl PointShader for Poster {
+    const ROOTS: &'static [(RootKind, &'static [Effect])] =
+        &[(RootKind::Material, &[Effect::ReadTexture])];
+    const FIELDS: &'static [Field] = &[Field::U, Field::V];
+
+    fn textures(&self) -> Vec<Texture> {
+        ["b.png", "a.png"].map(|file| Texture { file: file.into(), space: Space::Srgb }).into()
+    }
+
+    fn parameter(&mut self, _: &str) -> Option<Parameter<'_>> {
+        None
+    }
+
+    fn shade_point<A: Arithmetic>(
+        &self,
+        _: RootKind,
+        point: &State,
+        asking: &mut Asking<'_>,
+    ) -> Shaded {
+        let color = asking.texel(0, point) + 10.0 * asking.texel(1, point);
+        Shaded { color: color.into(), ok: asking.texel(2, point) == glam::Vec4::ZERO }
+    }
+}
+
+/// Pictures by the first letter of their names, which show where they are read.
+struct Pictures;
+
+impl Renderer for Pictures {
+    fn trace(&mut self, _: Trace, _: &[State], _: &[Ray], _: &mut [Answer]) {}
+
+    fn texture(&mut self, texture: &Texture) -> TextureId {
+        TextureId(texture.file.as_bytes()[0].into())
+    }
+
+    fn read_texture(
+        &mut self,
+        texture: TextureId,
+        _: Sampling,
+        lookups: &[Lookup],
+        colors: &mut [Option<[f32; 4]>],
+    ) {
+        for (lookup, color) in lookups.iter().zip(colors) {
+            let [u, v] = lookup.uv;
+            let letter = texture.0 as f32 - 96.0;
+            *color = (texture != TextureId::NONE).then_some([u, v, letter, 1.0]);
+        }
+    }
+}
+
+#[test]
+fn monoliths_read_pictures_by_number() {
+    let poster = Pointwise::<Poster>::new(Poster);
+    let point = State { uv: [0.25, 0.5], ..State::default() };
+    let mut results = [Shaded::default()];
+    poster.shade(RootKind::Material, &[point], &mut Pictures, &mut results);
+    assert_eq!(results[0], Shaded { color: [2.75, 5.5, 12.0, 11.0], ok: true });
+    assert_eq!(poster.textures().len(), 2);
 }
 
 #[test]

@@ -354,7 +354,6 @@ impl Builder<'_> {
             InstanceKind::Plain(_) => open.pending.steps.extend(Step::of(instance)),
             InstanceKind::Request { effect, context, site, loops, subject } => {
                 self.flush(open);
-                let loops = self.positions(loops);
                 let request = self.requests.push(Request {
                     name: instance.name.clone(),
                     effect: *effect,
@@ -363,9 +362,9 @@ impl Builder<'_> {
                     outputs: instance.outputs,
                     context: context.clone(),
                     site: *site,
-                    loops,
+                    loops: self.positions(loops),
                     subject: self.subject(*subject),
-                    again: graph.epochs.0[instance.epoch].loops.len() > 1,
+                    again: self.is_run_anew(instance),
                 });
                 open.items.push(Item::Request(request));
             }
@@ -374,6 +373,13 @@ impl Builder<'_> {
                 open.items.extend(self.loop_of_epoch[*epoch].expand().map(Item::Loop));
             }
         }
+    }
+
+    /// Whether what is asked of a light may be asked again though one request alone asks it. In a single loop it
+    /// is not: nothing renews the region of that loop, and a region that is forced twice is run for other points.
+    /// A loop round that one runs it anew, with the same light samples.
+    fn is_run_anew(&self, instance: &Instance) -> bool {
+        self.graph.epochs.0[instance.epoch].loops.len() > 1
     }
 
     /// What a request is about, a loop by its position in the schedule.

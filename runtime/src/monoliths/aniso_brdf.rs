@@ -55,6 +55,8 @@ impl PointShader for AnisoBrdf {
     const ROOTS: &'static [(RootKind, &'static [Effect])] =
         &[(RootKind::Material, &[Effect::TraceReflection, Effect::LightColor])];
 
+    const FIELDS: &'static [Field] = &[Field::ObjectToWorld];
+
     fn parameter(&mut self, name: &str) -> Option<Parameter<'_>> {
         Some(match name {
             "surface_color" => Parameter::Color(&mut self.surface_color),

@@ -1,7 +1,9 @@
 //! Asking the renderer about one point at a time.
 
 use glam::{Vec3, Vec4};
-use phenomenon_compiler::effects::{Answer, LightList, LightSample, Points, Ray, Renderer, Trace};
+use phenomenon_compiler::effects::{
+    Answer, LightList, LightSample, Lookup, Points, Ray, Renderer, Sampling, TextureId, Trace,
+};
 use phenomenon_compiler::engine::Links;
 use phenomenon_compiler::state::{Field, State};
 
@@ -12,6 +14,7 @@ use super::site::Site;
 pub struct Asking<'r> {
     renderer: &'r mut dyn Renderer,
     lights: Option<LightList>,
+    textures: &'r [TextureId],
 }
 
 /// A sample of a light, as a point sees it.
@@ -26,8 +29,9 @@ pub struct Light {
 
 impl<'r> Asking<'r> {
     /// Nothing asked yet.
-    pub fn new(links: &Links, renderer: &'r mut dyn Renderer) -> Self {
-        Self { renderer, lights: links.light_lists.first().copied() }
+    pub fn new(links: &'r Links, renderer: &'r mut dyn Renderer) -> Self {
+        let Links { light_lists, textures } = links;
+        Self { renderer, lights: light_lists.first().copied(), textures }
     }
 
     /// Casts a ray from the point.
@@ -94,6 +98,16 @@ impl<'r> Asking<'r> {
             }
         }
         sum
+    }
+
+    /// The colour of a picture at the point's surface coordinates, bilinear and repeated; transparent black where
+    /// there is none. The number is that among [`PointShader::textures`](super::PointShader::textures).
+    pub fn texel(&mut self, number: usize, point: &State) -> Vec4 {
+        let texture = self.textures.get(number).copied().unwrap_or(TextureId::NONE);
+        let place = Lookup { uv: point.uv, ..Lookup::default() };
+        let mut colors = [None];
+        self.renderer.read_texture(texture, Sampling::default(), &[place], &mut colors);
+        colors[0].unwrap_or_default().into()
     }
 
     /// What is known of the object, the surface or the camera of a point: the first `N` numbers of a field.

@@ -58,6 +58,8 @@ impl PointShader for Cd {
     const ROOTS: &'static [(RootKind, &'static [Effect])] =
         &[(RootKind::Material, &[Effect::TraceReflection, Effect::LightColor])];
 
+    const FIELDS: &'static [Field] = &[Field::ObjectToWorld];
+
     fn parameter(&mut self, name: &str) -> Option<Parameter<'_>> {
         Some(match name {
             "base_color" => Parameter::Color(&mut self.base_color),

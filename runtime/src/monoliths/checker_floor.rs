@@ -36,6 +36,8 @@ impl PointShader for CheckerFloor {
     const ROOTS: &'static [(RootKind, &'static [Effect])] =
         &[(RootKind::Material, &[Effect::LightColor])];
 
+    const FIELDS: &'static [Field] = &[Field::DpDx, Field::DpDy];
+
     fn parameter(&mut self, name: &str) -> Option<Parameter<'_>> {
         Some(match name {
             "dark" => Parameter::Color(&mut self.dark),

@@ -1,12 +1,14 @@
 //! A hand-written shader of one point as something that shades batches.
 
+use std::collections::BTreeSet;
 use std::marker::PhantomData;
 
 use glam::{Vec3, Vec4};
 use phenomenon_compiler::effects::{Effect, EffectSet, LightMode, Renderer};
 use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::state::State;
+use phenomenon_compiler::state::{Field, FieldSet, State};
+use phenomenon_compiler::values::Texture;
 
 use super::arithmetic::{Arithmetic, Std};
 use super::asking::Asking;
@@ -27,6 +29,15 @@ pub enum Parameter<'a> {
 pub trait PointShader: Default + Send + Sync + 'static {
     /// The roots it has, each with the effects it may ask for.
     const ROOTS: &'static [(RootKind, &'static [Effect])];
+
+    /// The fields it reads of those that the renderer works out only where something reads them: surface
+    /// coordinates, and what [`Asking::look_up`] finds.
+    const FIELDS: &'static [Field] = &[];
+
+    /// The pictures it reads, by their numbers in [`Asking::texel`].
+    fn textures(&self) -> Vec<Texture> {
+        Vec::new()
+    }
 
     /// The parameter called `name`.
     fn parameter(&mut self, name: &str) -> Option<Parameter<'_>>;
@@ -80,9 +91,25 @@ impl<S: PointShader, A: Arithmetic> Shade for Pointwise<S, A> {
         roots.flat_map(|(_, effects)| effects.iter().copied()).collect()
     }
 
+    fn fields(&self, root: RootKind) -> FieldSet {
+        if !self.has_root(root) {
+            return FieldSet::NONE;
+        }
+        let always = |field: &Field| field.of_point() && !matches!(field, Field::U | Field::V);
+        let always = Field::ALL.iter().filter(|field| always(field));
+        always.chain(S::FIELDS).copied().collect()
+    }
+
+    fn textures(&self) -> BTreeSet<Texture> {
+        self.shader.textures().into_iter().collect()
+    }
+
     fn link(&self, renderer: &mut dyn Renderer) -> Links {
         // All lights: what `Asking::lights` counts.
-        Links { light_lists: vec![renderer.light_list(&[], LightMode::All)], ..Links::default() }
+        let light_lists = vec![renderer.light_list(&[], LightMode::All)];
+        let textures = self.shader.textures();
+        let textures = textures.iter().map(|texture| renderer.texture(texture)).collect();
+        Links { light_lists, textures }
     }
 
     fn shade_linked(

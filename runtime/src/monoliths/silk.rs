@@ -51,6 +51,8 @@ impl PointShader for Silk {
     const ROOTS: &'static [(RootKind, &'static [Effect])] =
         &[(RootKind::Material, &[Effect::LightColor])];
 
+    const FIELDS: &'static [Field] = &[Field::U, Field::V, Field::DerivativeU];
+
     fn parameter(&mut self, name: &str) -> Option<Parameter<'_>> {
         Some(match name {
             "base_color" => Parameter::Color(&mut self.base_color),

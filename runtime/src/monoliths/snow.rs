@@ -68,6 +68,9 @@ impl PointShader for Snow {
     const ROOTS: &'static [(RootKind, &'static [Effect])] =
         &[(RootKind::Material, &[Effect::TraceRefraction, Effect::LightColor])];
 
+    const FIELDS: &'static [Field] =
+        &[Field::WorldToObject, Field::DerivativeU, Field::DerivativeV, Field::DpDx];
+
     fn parameter(&mut self, name: &str) -> Option<Parameter<'_>> {
         Some(match name {
             "base_color" => Parameter::Color(&mut self.base_color),

@@ -2,7 +2,7 @@ use glam::{Vec4, Vec4Swizzles};
 use phenomenon_compiler::effects::{Effect, Trace};
 use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::state::State;
+use phenomenon_compiler::state::{Field, State};
 
 use super::arithmetic::Arithmetic;
 use super::asking::Asking;
@@ -53,6 +53,8 @@ impl PointShader for Sunglasses {
         ),
         (RootKind::Shadow, &[]),
     ];
+
+    const FIELDS: &'static [Field] = &[Field::V];
 
     fn parameter(&mut self, name: &str) -> Option<Parameter<'_>> {
         Some(match name {

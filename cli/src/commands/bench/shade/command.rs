@@ -43,7 +43,7 @@ A material is one of the thesis, at 1024 points of it that a picture of the defa
 images and what is seen through glass among them. Its rays and lights are answered from a table that was
 recorded before, the same for all: shading alone is measured. monolith_same_bits is the monolith over the
 arithmetic of the nodes, which gives the bits of the graph; jit_eager is the jit of a graph that leaves
-nothing out. The last table counts what laziness saves: rays and colours of lights, and evaluations of nodes.
+nothing out. The last table counts what laziness saves: rays, colours of light samples, and evaluations of nodes.
 
 What is measured is CPU time of one thread, after everything is compiled and has run once. Engines
 take turns of some 10 ms, so that a slow minute of the machine touches all of them. Ratios are medians

@@ -11,8 +11,10 @@ use crate::failure::Failure;
 /// What a point of a material costs on average.
 #[derive(Clone, Copy, Debug)]
 pub struct Demand {
-    /// Rays, and colours of lights.
-    pub requests: f64,
+    /// Rays it casts, probes and looks at the environment among them.
+    pub rays: f64,
+    /// Colours of light samples, each with a shadow ray.
+    pub lights: f64,
     /// Evaluations of nodes.
     pub evaluations: f64,
 }
@@ -40,8 +42,12 @@ fn demand(stage: &mut Stage, asking: Asking) -> Result<Demand, Failure> {
     let options = Options { engine: Engine::Walk, count: true, asking, ..Options::default() };
     let shader = Shader::new(Arc::clone(&stage.graph), &[], options);
     let shader = shader.map_err(|error| Failure::new(error, ""))?;
-    let requests = stage.record(&shader) as f64;
+    let asked = stage.record(&shader);
     let evaluations: u64 = shader.evaluations().iter().map(|(_, count)| count.wanted).sum();
     let points = stage.states().len() as f64;
-    Ok(Demand { requests: requests / points, evaluations: evaluations as f64 / points })
+    Ok(Demand {
+        rays: asked.rays as f64 / points,
+        lights: asked.lights as f64 / points,
+        evaluations: evaluations as f64 / points,
+    })
 }

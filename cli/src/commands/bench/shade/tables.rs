@@ -73,16 +73,18 @@ pub fn laziness(saved: &[(Subject, Saved)]) -> String {
     if saved.is_empty() {
         return String::new();
     }
-    let mut text = "| material | requests a point | of all | evaluations a point | of all |\n\
-                    | --- | ---: | ---: | ---: | ---: |\n"
+    let mut text = "| material | rays a point | of all | lights a point | of all | evaluations a point | of all |\n\
+                    | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n"
         .to_owned();
     for (subject, Saved { lazy, eager }) in saved {
         let _ = writeln!(
             text,
-            "| {} | {:.2} | {:.2} | {:.1} | {:.1} |",
+            "| {} | {:.2} | {:.2} | {:.2} | {:.2} | {:.1} | {:.1} |",
             subject.name(),
-            lazy.requests,
-            eager.requests,
+            lazy.rays,
+            eager.rays,
+            lazy.lights,
+            eager.lights,
             lazy.evaluations,
             eager.evaluations,
         );

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use phenomenon_compiler::effects::{EffectSet, Renderer};
 use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::state::State;
+use phenomenon_compiler::state::{FieldSet, State};
 use phenomenon_compiler::values::Texture;
 
 /// Shades as another does, and notes the points of its material.
@@ -34,6 +34,10 @@ impl Shade for Listening {
 
     fn effects(&self, root: RootKind) -> EffectSet {
         self.shader.effects(root)
+    }
+
+    fn fields(&self, root: RootKind) -> FieldSet {
+        self.shader.fields(root)
     }
 
     fn textures(&self) -> BTreeSet<Texture> {

@@ -18,7 +18,7 @@ use phenomenon_runtime::scene_file::{MaterialSource, default_scene, embedded_fil
 
 use super::listening::Listening;
 use super::recorded::Recorded;
-use super::recording::Recording;
+use super::recording::{Asked, Recording};
 use super::table::Table;
 use crate::commands::bench::shade::points::{calls, pass};
 use crate::commands::bench::workloads::STATES;
@@ -123,15 +123,15 @@ impl Stage {
         &self.states
     }
 
-    /// Shades all points once, and keeps what the scene answers. Tells how much was asked: rays, and colours
-    /// of lights.
-    pub fn record(&mut self, shader: &dyn Shade) -> u64 {
+    /// Shades all points once, and keeps what the scene answers. Tells how much was asked.
+    pub fn record(&mut self, shader: &dyn Shade) -> Asked {
         let mut context = Context::new(&self.scene, BATCH);
-        let mut recording = Recording { table: &mut self.table, real: &mut context, requests: 0 };
+        let mut recording =
+            Recording { table: &mut self.table, real: &mut context, asked: Asked::default() };
         let mut results = vec![Shaded::default(); self.states.len()];
         let calls = calls(&self.states, BATCH);
         pass(shader, &self.states, &calls, &mut recording, &mut results);
-        recording.requests
+        recording.asked
     }
 
     /// Who answers from what was recorded.

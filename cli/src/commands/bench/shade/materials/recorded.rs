@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use phenomenon_compiler::effects::{
-    Answer, LightList, LightMode, LightSample, Points, Ray, Renderer, Trace,
+    Answer, LightList, LightMode, LightSample, Points, Ray, Renderer, TextureId, Trace,
 };
 use phenomenon_compiler::state::{Camera, Object, Objects, State};
+use phenomenon_compiler::values::Texture;
 
 use super::table::Table;
 
@@ -44,6 +45,17 @@ impl Renderer for Recorded {
 
     fn objects(&self) -> Objects<'_> {
         Objects { objects: &self.objects, surfaces: &*self.table, camera: &self.camera }
+    }
+
+    /// None of the materials reads a texture, or asks a direction for its density.
+    fn texture(&mut self, _: &Texture) -> TextureId {
+        self.unknown += 1;
+        TextureId::NONE
+    }
+
+    fn light_density(&mut self, directions: &[[f32; 3]], densities: &mut [f32]) {
+        self.unknown += directions.len() as u64;
+        densities.fill(0.0);
     }
 
     fn light_list(&mut self, names: &[String], mode: LightMode) -> LightList {

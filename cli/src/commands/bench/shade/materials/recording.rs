@@ -13,13 +13,22 @@ pub struct Recording<'a> {
     pub table: &'a mut Table,
     /// Who is asked.
     pub real: &'a mut dyn Renderer,
-    /// How much was asked so far: rays, and colours of lights.
-    pub requests: u64,
+    /// How much was asked so far.
+    pub asked: Asked,
+}
+
+/// How much was asked.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Asked {
+    /// Rays.
+    pub rays: u64,
+    /// Colours of light samples.
+    pub lights: u64,
 }
 
 impl Renderer for Recording<'_> {
     fn trace(&mut self, trace: Trace, states: &[State], rays: &[Ray], answers: &mut [Answer]) {
-        self.requests += rays.len() as u64;
+        self.asked.rays += rays.len() as u64;
         for (ray, answer) in rays.iter().zip(answers) {
             let from = &states[ray.point as usize];
             *answer = self.table.ray(trace, from, ray).unwrap_or_else(|| {
@@ -67,7 +76,7 @@ impl Renderer for Recording<'_> {
     }
 
     fn light_colors(&mut self, points: Points<'_>, tokens: &[u64], colors: &mut [[f32; 3]]) {
-        self.requests += tokens.len() as u64;
+        self.asked.lights += tokens.len() as u64;
         for ((point, &token), color) in points.iter().zip(tokens).zip(colors) {
             let Some(sample) = self.table.sample(token) else { continue };
             *color = sample.color.unwrap_or_else(|| {
