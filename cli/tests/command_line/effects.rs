@@ -31,11 +31,11 @@ fn without_costs(ledger: &str) -> Vec<&str> {
 fn a_row_names_the_node_that_asks_or_the_parameter_that_decides() {
     let ledger = small(&[GLASS]);
     assert!(ledger.contains("\non   refraction"), "{ledger}");
-    assert!(ledger.contains("trace_refraction `through` asks for it"), "{ledger}");
+    assert!(ledger.contains("trace_refraction `through` casts refraction rays"), "{ledger}");
     let opaque = small(&[GLASS, "--set", "opacity=1"]);
     assert!(opaque.contains("\noff  refraction"), "{opaque}");
-    let reason = "select `let_through` never asks for its `if_true`: `condition` is false, which the expression \
-                  `opacity < 1` makes of the parameter `opacity`, which is 1 (graphs/glass/advanced_glass.json:";
+    let reason = "`opacity` = 1: `opacity < 1` is false, so select `let_through` (graphs/glass/advanced_glass.json:69:5) \
+                  never evaluates `if_true`, which leads to trace_refraction `through`\n";
     assert!(opaque.contains(reason), "{opaque}");
 }
 
@@ -130,4 +130,23 @@ fn all_effects_need_every_picture() {
     refused(&["effects", &graph], &["with all effects on", "--no-savings"]);
     let ledger = small(&[&graph]);
     assert!(ledger.contains("`weight` is given as 0"), "{ledger}");
+}
+
+#[test]
+fn a_picture_that_takes_too_many_rays_with_all_effects_on_is_given_up() {
+    let few = ["effects", GLASS, "--size", "8x8", "--spp", "1", "--most-rays", "500"];
+    let ledger = printed(&few);
+    assert!(
+        ledger.contains("not measured: with all effects on it takes more than 500 rays"),
+        "{ledger}"
+    );
+    assert!(!ledger.contains("saves"), "{ledger}");
+    let json: Vec<&str> = few.iter().copied().chain(["--format", "json"]).collect();
+    let ledger: Value = serde_json::from_str(&printed(&json)).unwrap();
+    assert_eq!(
+        (&ledger["given_up_after_rays"], &ledger["all_effects"]),
+        (&500.into(), &Value::Null)
+    );
+    assert_eq!(ledger["rows"][0]["saved"], Value::Null);
+    assert!(ledger["whole"]["rays"].as_u64().unwrap() > 0);
 }

@@ -9,7 +9,8 @@ pub struct Decisions {
     pub(super) folds: Vec<Fold>,
     /// Of each node, whether anything may ask for it.
     pub(super) built: Vec<bool>,
-    /// Fields of the state in use, each with the node that was the first to read it.
+    /// Fields of the state in use, each with a node that reads it; one that is evaluated in several places stands here
+    /// several times.
     pub(super) readers: Vec<(Field, usize)>,
     /// Requests that ask nothing, for want of a texture or of a loop round them.
     pub(super) about_nothing: Vec<usize>,

@@ -15,7 +15,7 @@ mod uniforms;
 mod verify;
 mod views;
 
-pub use account::{Account, Cause, Fate, Named, Needed, Origin, Part, Reason};
+pub use account::{Account, Cause, Fate, Named, Needed, Origin, Part, Reason, TOLD_REASONS};
 pub use decisions::Decisions;
 pub use epochs::{Epoch, EpochKind, Epochs};
 pub use error::SpecialiseError;

@@ -4,7 +4,7 @@
 macro_rules! ray_types {
     ($($(#[doc = $doc:literal])+ $variant:ident $name:literal = $number:literal;)+) => {
         /// Why a ray was cast.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[repr(i32)]
         pub enum RayType { $($(#[doc = $doc])+ $variant = $number,)+ }
 

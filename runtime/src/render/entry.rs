@@ -81,6 +81,8 @@ entries! {
     EnvironmentShader "environment_shader" counts Points;
     /// Loops over lights: where each of their samples lies, seen from a point.
     LightLoops "light_loops" counts Lookups;
+    /// How likely the environment light would have chosen a direction that something else chose.
+    LightDensities "light_densities" counts None;
     /// Rays from points towards lights.
     ShadowRays "shadow_rays" counts Rays;
     /// Shadow roots, called at each surface between a point and a light.
@@ -118,7 +120,7 @@ impl From<Effect> for Entry {
             Effect::TraceEnvironment => Entry::Environment,
             Effect::TraceProbe => Entry::Probe,
             Effect::LightColor => Entry::ShadowRays,
-            Effect::LightDensity => Entry::LightLoops,
+            Effect::LightDensity => Entry::LightDensities,
             Effect::ReadTexture | Effect::TextureSize => Entry::Texture,
         }
     }

@@ -111,7 +111,7 @@ fn parameters_at_the_value_that_removes_them_cast_nothing() {
     ] {
         let scene = shipped(file, &[parameter], guarded());
         let (name, value) = parameter;
-        scene.is_off(entry, &[&format!("the parameter `{name}`, which is {value}")]);
+        scene.is_off(entry, &[&format!("`{name}` = {value}: ")]);
         assert_eq!(scene.render(24).costs.of(entry).count, 0, "{file} {name}");
         let usual = shipped(file, &[], guarded());
         usual.is_on(entry, &[]);
@@ -135,7 +135,7 @@ fn an_unread_texture_is_never_opened() {
         path.display().to_string()
     );
     let read = written(&ball(""), &graph, &[("share", 0.5)], guarded());
-    read.is_on(Entry::Texture, &["texture_lookup `read` asks for it"]);
+    read.is_on(Entry::Texture, &["texture_lookup `read` reads it"]);
     let rendered = read.render(8);
     let (lookups, bytes) = read.cost(read.row(Entry::Texture), &rendered);
     assert_eq!(bytes, 4 * 2 * 16);
@@ -149,7 +149,7 @@ fn an_unread_texture_is_never_opened() {
     assert_eq!(row.file.as_deref(), path.to_str());
     unread.is_off(
         Entry::Texture,
-        &["mix `top` never asks for its `b`: `weight` is the parameter `share`, which is 0"],
+        &["`share` = 0: `weight` is 0, so mix `top` (graph.json:", "never evaluates `b`"],
     );
     assert_eq!(unread.cost(row, &unread.render(8)), (0, 0));
 }

@@ -1,5 +1,7 @@
 //! Why an input is never asked for, from what its guard looked at.
 
+use rustc_hash::{FxHashMap, FxHashSet};
+
 use crate::graph::{Graph, Parameter};
 use crate::nodes::Kind;
 use crate::specialise::decisions::Fold;
@@ -12,6 +14,9 @@ use super::part::{Cause, Named, Origin, Reason};
 /// Most parameters that are told of where a node makes a value of many.
 const TOLD_PARAMETERS: usize = 3;
 
+/// Most nodes that are gone through for the parameters a value is made of.
+const MOST_SOURCES: usize = 4096;
+
 /// A graph with the values it is specialised to.
 pub(super) struct Settled<'a> {
     pub graph: &'a Graph,
@@ -21,8 +26,10 @@ pub(super) struct Settled<'a> {
     pub values: &'a [Literal],
     /// The uniform words.
     pub words: &'a [u32],
-    /// The inputs that are never asked for.
-    pub folds: &'a [&'a Fold],
+    /// The inputs that are never asked for, by node and input.
+    pub folds: FxHashMap<(usize, usize), &'a Fold>,
+    /// The texts of expressions by their names.
+    pub expressions: FxHashMap<&'a str, &'a str>,
 }
 
 impl Settled<'_> {
@@ -31,9 +38,8 @@ impl Settled<'_> {
         let name = self.views.name(view);
         let whole = name.split_once('#').map_or(name, |(expression, _)| expression);
         let node_type = self.views.signature(view).name.to_string();
-        let mut expressions = self.graph.expressions.iter();
-        let expression = expressions.find(|of| of.name == whole).map(|of| of.text.clone());
-        Named { name: whole.to_owned(), expression, node_type }
+        let expression = self.expressions.get(whole).map(|text| (*text).to_owned());
+        Named { name: whole.to_owned(), implied: None, expression, node_type }
     }
 
     /// Why the input of a fold is never asked for.
@@ -86,7 +92,7 @@ impl Settled<'_> {
     }
 
     fn is_folded(&self, view: usize, input: usize) -> bool {
-        self.folds.iter().any(|fold| (fold.view, fold.input) == (view, input))
+        self.folds.contains_key(&(view, input))
     }
 
     fn ray_type(&self) -> (String, Origin) {
@@ -108,12 +114,15 @@ impl Settled<'_> {
 
     /// What a node makes its value of: the parameters below it, and the ray type.
     fn computed(&self, view: usize) -> Origin {
-        let mut seen = vec![false; self.views.len()];
+        let mut seen = FxHashSet::default();
         let mut stack = vec![view];
         let (mut parameters, mut ray_type) = (Vec::new(), None);
         while let Some(view) = stack.pop() {
-            if std::mem::replace(&mut seen[view], true) {
+            if !seen.insert(view) {
                 continue;
+            }
+            if seen.len() > MOST_SOURCES {
+                break;
             }
             for input in 0..self.views.inputs(view) {
                 if self.is_folded(view, input) {

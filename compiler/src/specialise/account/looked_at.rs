@@ -1,20 +1,23 @@
 //! Going through the nodes of a graph after it was specialised.
 
+use rustc_hash::{FxHashMap, FxHashSet};
+
 use crate::effects::{Asked, Effect, LightMode, NamedLights, Sampling};
 use crate::graph::{Graph, Root};
 use crate::nodes::Kind;
-use crate::specialise::decisions::Fold;
 use crate::specialise::views::{Resolved, Views};
 use crate::specialise::{SpecialiseError, Specialised};
 use crate::state::{Field, Iterated, RayType};
 use crate::values::Literal;
 
 use super::cause::Settled;
-use super::part::{Fate, Needed, Part, Reason};
+use super::part::{Fate, Named, Needed, Part, TOLD_REASONS};
+use super::pruned::Pruned;
 
 impl Specialised {
     /// What each node of `graph` has the renderer do, and why the others have not. `root`, `ray_type` and `values`
-    /// are what it was specialised for, `words` its uniform words.
+    /// are what it was specialised for, `words` its uniform words. Of what no point asks for, the first node of each
+    /// kind is told of. Takes time and memory in proportion to the graph.
     ///
     /// # Errors
     /// The graph is not the one that was specialised.
@@ -27,112 +30,164 @@ impl Specialised {
         words: &[u32],
     ) -> Result<Vec<Part>, SpecialiseError> {
         let views = Views::new(graph, root)?;
-        let folds = &self.folds_apart()[..];
-        let settled = Settled { graph, views: &views, ray_type, values, words, folds };
-        let below: Vec<Vec<bool>> =
-            folds.iter().map(|fold| below(&views, views.source(fold.view, fold.input))).collect();
-        let connected = below_root(&views);
-        let look = Look { specialised: self, settled, below, connected };
-        let asking = (0..views.len()).flat_map(|view| look.asking(view));
-        let fields = Field::ALL.iter().filter_map(|&field| look.field(field));
-        Ok(asking.chain(fields).collect())
+        let folds = self.decisions.folds.iter().map(|fold| ((fold.view, fold.input), fold));
+        let expressions = graph.expressions.iter().map(|of| (of.name.as_str(), of.text.as_str()));
+        let (folds, expressions) = (folds.collect(), expressions.collect());
+        let settled = Settled { graph, views: &views, ray_type, values, words, folds, expressions };
+        let look = Look {
+            specialised: self,
+            pruned: Pruned::of(&views, &self.decisions),
+            implying: implying(&views, graph.nodes.len()),
+            readers: self.decisions.readers.iter().copied().collect(),
+            about_nothing: self.decisions.about_nothing.iter().copied().collect(),
+            settled,
+        };
+        Ok(look.parts())
     }
-
-    /// The folds, each input once.
-    fn folds_apart(&self) -> Vec<&Fold> {
-        let mut folds: Vec<&Fold> = self.decisions.folds.iter().collect();
-        folds.sort_by_key(|fold| (fold.view, fold.input));
-        folds.dedup_by_key(|fold| (fold.view, fold.input));
-        folds
-    }
-}
-
-/// The nodes below one, itself included.
-fn below(views: &Views<'_>, top: Option<usize>) -> Vec<bool> {
-    let mut found = vec![false; views.len()];
-    let mut stack: Vec<usize> = top.into_iter().collect();
-    while let Some(view) = stack.pop() {
-        if !std::mem::replace(&mut found[view], true) {
-            stack.extend((0..views.inputs(view)).filter_map(|input| views.source(view, input)));
-        }
-    }
-    found
-}
-
-fn below_root(views: &Views<'_>) -> Vec<bool> {
-    below(views, Some(views.root()))
 }
 
 /// A specialised graph that is looked at.
 struct Look<'a> {
     specialised: &'a Specialised,
     settled: Settled<'a>,
-    /// Of each fold, the nodes that it leaves out, unless something else asks for them.
-    below: Vec<Vec<bool>>,
-    /// Which nodes the root is connected to.
-    connected: Vec<bool>,
+    pruned: Pruned,
+    /// Of each node that defaults imply, the inputs whose default it is.
+    implying: FxHashMap<usize, Vec<(usize, usize)>>,
+    /// Fields of the state in use, each with the nodes that read it.
+    readers: FxHashSet<(Field, usize)>,
+    /// Requests that ask nothing.
+    about_nothing: FxHashSet<usize>,
+}
+
+/// What became of a node; [`Fate`] without the words.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Left {
+    Asked,
+    /// Its own input is never evaluated.
+    InputOut,
+    /// It is out itself.
+    Out,
+    AboutNothing,
+    Unconnected,
 }
 
 impl Look<'_> {
-    /// What a node asks for itself.
-    fn asking(&self, view: usize) -> Option<Part> {
+    fn parts(&self) -> Vec<Part> {
+        let mut parts = Vec::new();
+        // A graph may leave out any number of nodes: the first of each kind is enough.
+        let mut told = FxHashSet::default();
+        for (view, input, needed) in self.needs() {
+            let Some(left) = self.left(view, input, needed) else { continue };
+            let mut part = self.part(needed, view);
+            if left != Left::Asked
+                && !told.insert((needed, part.texture.clone(), part.filtered, left))
+            {
+                continue;
+            }
+            part.fate = self.fate(view, input, left);
+            for node in self.names(view, left) {
+                parts.push(Part { node, ..part.clone() });
+            }
+        }
+        parts
+    }
+
+    /// What nodes have the renderer do by their declaration; with fields of the state the input that reads them.
+    fn needs(&self) -> Vec<(usize, usize, Needed)> {
         let views = self.settled.views;
-        let needed = match views.signature(view).kind {
-            Kind::Request(effect) => Needed::Request(effect),
-            Kind::Loop(iterated, _) => Needed::Turns(iterated),
-            Kind::Plain | Kind::Fields(_) | Kind::Scope(_) | Kind::List(_) => return None,
-        };
+        let mut needs = Vec::new();
+        for view in 0..views.len() {
+            match views.signature(view).kind {
+                Kind::Request(effect) => needs.push((view, 0, Needed::Request(effect))),
+                Kind::Loop(iterated, _) => needs.push((view, 0, Needed::Turns(iterated))),
+                Kind::Plain | Kind::Fields(_) | Kind::Scope(_) | Kind::List(_) => {}
+            }
+            let first = needs.len();
+            for input in 0..views.inputs(view) {
+                let Some(field) = field_read(views, view, input) else { continue };
+                let needed = Needed::Field(field);
+                if needs[first..].iter().all(|(.., known)| *known != needed) {
+                    needs.push((view, input, needed));
+                }
+            }
+        }
+        needs
+    }
+
+    /// What became of a node; none where it has nothing of the renderer.
+    fn left(&self, view: usize, input: usize, needed: Needed) -> Option<Left> {
         let decisions = &self.specialised.decisions;
-        let fate = match decisions.built[view] {
-            true if decisions.about_nothing.contains(&view) => Fate::AboutNothing,
-            true => Fate::Asked,
-            false => self.left_out(view),
-        };
-        Some(Part { fate, ..self.part(needed, view) })
+        let is_built = decisions.built[view];
+        if let Needed::Field(field) = needed {
+            if self.readers.contains(&(field, view)) {
+                return Some(Left::Asked);
+            }
+            // Fields that a scope or a loop gives are not the state's.
+            if field.of_loop().is_some() || field == Field::RayType {
+                return None;
+            }
+            if is_built {
+                let is_out = self.settled.folds.contains_key(&(view, input));
+                return is_out.then_some(Left::InputOut);
+            }
+        }
+        Some(match is_built {
+            true if self.about_nothing.contains(&view) => Left::AboutNothing,
+            true => Left::Asked,
+            false if self.pruned.is_connected(view) => Left::Out,
+            false => Left::Unconnected,
+        })
     }
 
-    /// What a field of the state is asked for by; none where the graph knows nothing of it.
-    fn field(&self, field: Field) -> Option<Part> {
-        let needed = Needed::Field(field);
-        let readers = &self.specialised.decisions.readers;
-        if let Some((_, view)) = readers.iter().find(|(of, _)| *of == field) {
-            return Some(self.part(needed, *view));
-        }
-        // Fields that a scope or a loop gives are not the state's.
-        if field.of_loop().is_some() || field == Field::RayType {
-            return None;
-        }
-        let views = self.settled.views;
-        let mut readers = (0..views.len()).filter_map(|view| {
-            let input = (0..views.inputs(view)).find(|&input| reads(views, view, input, field))?;
-            Some((view, input))
-        });
-        let (view, input) = readers.next()?;
-        let built = self.specialised.decisions.built[view];
-        let fold = self.settled.folds.iter().find(|fold| (fold.view, fold.input) == (view, input));
-        let fate = match (fold, built) {
-            (Some(fold), true) => Fate::Folded(vec![self.settled.reason(fold)]),
-            (None, true) => return None,
-            (_, false) => self.left_out(view),
+    fn fate(&self, view: usize, input: usize, left: Left) -> Fate {
+        let inputs = match left {
+            Left::Asked => return Fate::Asked,
+            Left::AboutNothing => return Fate::AboutNothing,
+            Left::Unconnected => return Fate::Unconnected,
+            Left::InputOut => &[(view, input)][..],
+            Left::Out => self.pruned.inputs(view),
         };
-        Some(Part { fate, ..self.part(needed, view) })
+        let folds = inputs.iter().filter_map(|at| self.settled.folds.get(at));
+        let reasons = folds.take(TOLD_REASONS).map(|fold| self.settled.reason(fold));
+        Fate::Folded { reasons: reasons.collect(), more: inputs.len() > TOLD_REASONS }
     }
 
-    /// Why a node was left out that is not asked.
-    fn left_out(&self, view: usize) -> Fate {
-        if !self.connected[view] {
-            return Fate::Unconnected;
+    /// What a node is called: one that defaults imply by the nodes whose defaults they are.
+    fn names(&self, view: usize, left: Left) -> Vec<Named> {
+        if !self.implying.contains_key(&view) {
+            return vec![self.settled.named(view)];
         }
-        let folds = self.settled.folds.iter().zip(&self.below).filter(|(_, below)| below[view]);
-        let reasons: Vec<Reason> = folds.map(|(fold, _)| self.settled.reason(fold)).collect();
-        Fate::Folded(reasons)
+        let built = &self.specialised.decisions.built;
+        let (mut seen, mut stack) = (FxHashSet::default(), vec![view]);
+        let mut names = Vec::new();
+        while let Some(implied) = stack.pop() {
+            for &(by, input) in self.implying.get(&implied).into_iter().flatten() {
+                let asks = built[by] && !self.settled.folds.contains_key(&(by, input));
+                if (left == Left::Asked && !asks) || !seen.insert(by) {
+                    continue;
+                }
+                match self.implying.contains_key(&by) {
+                    true => stack.push(by),
+                    false => names.push(self.settled.named(by)),
+                }
+            }
+        }
+        if left != Left::Asked {
+            names.truncate(1);
+        }
+        let node_type = &self.settled.views.signature(view).name;
+        names.iter_mut().for_each(|named| named.implied = Some(node_type.to_string()));
+        match names.is_empty() {
+            true => vec![self.settled.named(view)],
+            false => names,
+        }
     }
 
     /// A node that is asked.
     fn part(&self, needed: Needed, view: usize) -> Part {
         let mut part = Part {
             needed,
-            node: self.settled.named(view),
+            node: Named::default(),
             texture: None,
             filtered: false,
             lights: None,
@@ -202,14 +257,27 @@ impl Look<'_> {
     }
 }
 
-/// Whether an input is a field of the state.
-fn reads(views: &Views<'_>, view: usize, input: usize, field: Field) -> bool {
+/// The field of the state that an input reads, if it reads one.
+fn field_read(views: &Views<'_>, view: usize, input: usize) -> Option<Field> {
     match views.resolve(view, input) {
-        Resolved::State(read) => read == field,
+        Resolved::State(field) => Some(field),
         Resolved::Node { view: source, output } => match &views.signature(source).kind {
-            Kind::Fields(fields) => fields[output] == field,
-            _ => false,
+            Kind::Fields(fields) => Some(fields[output]),
+            _ => None,
         },
-        Resolved::Literal(_) | Resolved::Parameter(_) => false,
+        Resolved::Literal(_) | Resolved::Parameter(_) => None,
     }
+}
+
+/// Of each node that is none of the graph's `nodes` the inputs whose default implies it.
+fn implying(views: &Views<'_>, nodes: usize) -> FxHashMap<usize, Vec<(usize, usize)>> {
+    let mut implying: FxHashMap<usize, Vec<(usize, usize)>> = FxHashMap::default();
+    for view in 0..views.len() {
+        for input in 0..views.inputs(view) {
+            if let Some(source) = views.source(view, input).filter(|source| *source >= nodes) {
+                implying.entry(source).or_default().push((view, input));
+            }
+        }
+    }
+    implying
 }

@@ -3,5 +3,6 @@
 mod cause;
 mod looked_at;
 mod part;
+mod pruned;
 
-pub use part::{Account, Cause, Fate, Named, Needed, Origin, Part, Reason};
+pub use part::{Account, Cause, Fate, Named, Needed, Origin, Part, Reason, TOLD_REASONS};

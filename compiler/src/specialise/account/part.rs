@@ -39,7 +39,7 @@ pub struct Part {
 }
 
 /// What a node has the renderer do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Needed {
     /// Answer a request.
     Request(Effect),
@@ -49,11 +49,16 @@ pub enum Needed {
     Field(Field),
 }
 
+/// Most inputs that are told of where several lead to a node and are never evaluated.
+pub const TOLD_REASONS: usize = 2;
+
 /// A node, as it is called in its graph.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Named {
-    /// Its name, in parentheses where a default implies it; of the nodes an expression became, that of the expression.
+    /// Its name; of the nodes an expression became, that of the expression.
     pub name: String,
+    /// The type of the node that a default of this one implies, where that is meant.
+    pub implied: Option<String>,
     /// The text of that expression.
     pub expression: Option<String>,
     /// Its type.
@@ -65,9 +70,14 @@ pub struct Named {
 pub enum Fate {
     /// Some point may ask it.
     Asked,
-    /// No point asks it: inputs on every way to it are never asked for, as was decided while the graph was
-    /// specialised.
-    Folded(Vec<Reason>),
+    /// No point asks it: inputs on every way to it are never evaluated, as was decided while the graph was
+    /// specialised. Most that are told of are [`TOLD_REASONS`].
+    Folded {
+        /// Why, for the first of these inputs.
+        reasons: Vec<Reason>,
+        /// Whether there are more.
+        more: bool,
+    },
     /// It is asked, and has nothing to ask about: no texture is given.
     AboutNothing,
     /// Nothing connects it to the root.
@@ -118,48 +128,80 @@ pub enum Origin {
     },
 }
 
+impl Reason {
+    /// Whether it holds for one type of ray, and another might be told for others.
+    pub fn depends_on_ray_type(&self) -> bool {
+        self.causes.iter().any(|cause| {
+            matches!(cause.origin, Origin::RayType | Origin::Computed { ray_type: Some(_), .. })
+        })
+    }
+
+    /// Why, the fact first: `opacity` = 1: `opacity < 1` is false, so select `let_through` never evaluates `if_true`.
+    /// `place` is put behind the node.
+    pub fn told(&self, place: &str) -> String {
+        let mut settings: Vec<String> = Vec::new();
+        for setting in self.causes.iter().flat_map(Cause::settings) {
+            if !settings.contains(&setting) {
+                settings.push(setting);
+            }
+        }
+        let mut words = settings.join(", ");
+        let facts: Vec<String> = self.causes.iter().filter_map(Cause::fact).collect();
+        for (text, before) in [(facts.join(" and "), ": "), (self.consequence(place), ", so ")] {
+            if !words.is_empty() && !text.is_empty() {
+                words += before;
+            }
+            words += &text;
+        }
+        words
+    }
+
+    fn consequence(&self, place: &str) -> String {
+        format!("{}{place} never evaluates `{}`", self.node, self.input)
+    }
+}
+
+impl Cause {
+    /// What decides it from outside: values of parameters, and the type of the ray.
+    fn settings(&self) -> Vec<String> {
+        let set = |name: &str, value: &str| format!("`{}` = {value}", shortened(name));
+        match &self.origin {
+            Origin::Given | Origin::Default => Vec::new(),
+            Origin::Parameter(parameter) => vec![set(parameter, &self.value)],
+            Origin::RayType => vec![format!("for rays of type {}", self.value)],
+            Origin::Computed { from, ray_type, .. } => {
+                let of_rays = ray_type.map(|it| format!("for rays of type {}", it.name()));
+                from.iter().map(|(name, value)| set(name, value)).chain(of_rays).collect()
+            }
+        }
+    }
+
+    /// What follows for the input.
+    fn fact(&self) -> Option<String> {
+        let Cause { input, value, origin } = self;
+        match origin {
+            Origin::Given => Some(format!("`{input}` is given as {value}")),
+            Origin::Default => Some(format!("`{input}` is {value} by default")),
+            Origin::Parameter(parameter) if parameter == input => None,
+            Origin::Parameter(_) => Some(format!("`{input}` is {value}")),
+            Origin::RayType => None,
+            Origin::Computed { node, .. } => Some(match &node.expression {
+                Some(text) => format!("`{}` is {value}", shortened(text)),
+                None => format!("`{input}`, which {node} computes, is {value}"),
+            }),
+        }
+    }
+}
+
 impl fmt::Display for Named {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.expression {
-            Some(text) => write!(f, "the expression `{}`", shortened(text)),
-            None => write!(f, "{} `{}`", self.node_type, shortened(&self.name)),
+            Some(text) => write!(f, "the expression `{}`", shortened(text))?,
+            None => write!(f, "{} `{}`", self.node_type, shortened(&self.name))?,
         }
-    }
-}
-
-/// As a sentence: mix `inner` never asks for its `a`: `weight` is the parameter `opacity`, which is 1.
-impl fmt::Display for Reason {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} never asks for its `{}`", self.node, self.input)?;
-        for (at, cause) in self.causes.iter().enumerate() {
-            write!(f, "{} {cause}", if at == 0 { ":" } else { "," })?;
-        }
-        Ok(())
-    }
-}
-
-impl fmt::Display for Cause {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Cause { input, value, origin } = self;
-        match origin {
-            Origin::Given => write!(f, "`{input}` is given as {value}"),
-            Origin::Default => write!(f, "`{input}` is {value} by default"),
-            Origin::Parameter(parameter) => {
-                write!(f, "`{input}` is the parameter `{}`, which is {value}", shortened(parameter))
-            }
-            Origin::RayType => write!(f, "the ray is of type {value}"),
-            Origin::Computed { node, from, ray_type } => {
-                write!(f, "`{input}` is {value}, which {node} makes")?;
-                let parameters = from.iter().map(|(name, value)| {
-                    format!("the parameter `{}`, which is {value}", shortened(name))
-                });
-                let ray_type = ray_type.map(|it| format!("the ray type, which is {}", it.name()));
-                let mut sources = parameters.chain(ray_type);
-                if let Some(first) = sources.next() {
-                    write!(f, " of {first}")?;
-                }
-                sources.try_for_each(|source| write!(f, ", and {source}"))
-            }
+        match &self.implied {
+            Some(node_type) => write!(f, ", by its default {node_type},"),
+            None => Ok(()),
         }
     }
 }

@@ -89,12 +89,12 @@ impl Builder<'_> {
 
     /// The words of a state field as a node reads them in an epoch.
     fn read_by(&mut self, view: usize, field: Field, epoch: EpochId) -> Built {
-        let known = self.result.fields.len();
-        let built = self.field(field, epoch);
-        if self.result.fields.len() > known {
+        // Fields that a scope or a loop gives are not the state's.
+        let of_state = self.result.epochs.changed_in(epoch, field).is_none();
+        if of_state && field.of_loop().is_none() && field != Field::RayType {
             self.result.decisions.readers.push((field, view));
         }
-        built
+        self.field(field, epoch)
     }
 
     /// The words of a state field as seen in an epoch.

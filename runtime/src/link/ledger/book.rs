@@ -1,5 +1,6 @@
 //! Joining what nodes claim to rows.
 
+use std::collections::{BTreeSet, HashSet};
 use std::sync::Arc;
 
 use phenomenon_compiler::engine::{Shader, ShaderError};
@@ -111,19 +112,24 @@ impl Book<'_> {
     fn row(&self, entry: Entry, claims: Vec<Claim<'_>>) -> Row {
         let effective = |claim: &&Claim<'_>| self.reach.refusal(claim).is_none();
         if let Some(first) = claims.iter().find(effective) {
-            let same = |claim: &&Claim<'_>| claim.is_same_node(first);
             let asking = || claims.iter().filter(effective);
-            let ray_types: Vec<RayType> =
-                asking().filter(same).filter_map(Claim::ray_type).collect();
-            let others = apart(asking().filter(|claim| !claim.is_same_node(first)));
-            let reason = words::asks(first, &ray_types, others);
+            let ray_types: BTreeSet<RayType> = asking()
+                .filter(|claim| claim.node() == first.node())
+                .filter_map(Claim::ray_type)
+                .collect();
+            let nodes: HashSet<(&str, &str)> = asking().map(Claim::node).collect();
+            let reason = words::asks(entry, first, &ray_types, nodes.len() - 1);
             return Row { entry, file: None, asked: Some(first.asked()), on: true, reason };
         }
         // A condition tells more than that there is no connection.
         let refused = claims.iter().filter_map(|claim| Some((claim, self.reach.refusal(claim)?)));
-        match refused.min_by_key(|(_, refusal)| rank(*refusal)) {
+        match refused.min_by_key(|(claim, refusal)| rank(claim, *refusal)) {
             Some((claim, refusal)) => {
-                let reason = words::refused(claim, refusal);
+                let likewise = match words::depends_on_ray_type(claim, refusal) {
+                    true => other_ray_types(&claims, claim),
+                    false => BTreeSet::new(),
+                };
+                let reason = words::refused(claim, refusal, &likewise);
                 Row { entry, file: None, asked: Some(claim.asked()), on: false, reason }
             }
             None => fact(entry, false, words::nobody(entry).to_owned()),
@@ -218,30 +224,30 @@ impl Book<'_> {
     }
 }
 
-/// How many nodes claims are of.
-fn apart<'b, 'c: 'b>(claims: impl Iterator<Item = &'b Claim<'c>>) -> usize {
-    let mut nodes: Vec<&Claim<'_>> = Vec::new();
-    for claim in claims {
-        if !nodes.iter().any(|known| known.is_same_node(claim)) {
-            nodes.push(claim);
-        }
-    }
-    nodes.len()
+/// The other types of ray for which the node of a claim is left out because of the type of the ray.
+fn other_ray_types(claims: &[Claim<'_>], of: &Claim<'_>) -> BTreeSet<RayType> {
+    let likewise = |claim: &&Claim<'_>| {
+        claim.node() == of.node() && words::depends_on_ray_type(claim, Refusal::Folded)
+    };
+    let ray_types = claims.iter().filter(likewise).filter_map(Claim::ray_type);
+    ray_types.filter(|ray_type| Some(*ray_type) != of.ray_type()).collect()
 }
 
-/// Which reason is told first.
-fn rank(refusal: Refusal) -> usize {
+/// Which reason is told first: a condition that holds for all rays before one that holds for some.
+fn rank(claim: &Claim<'_>, refusal: Refusal) -> usize {
     match refusal {
-        Refusal::NoRays(_) => 0,
-        Refusal::Folded => 1,
+        Refusal::Folded if !words::depends_on_ray_type(claim, refusal) => 0,
+        Refusal::NoRays(_) => 1,
+        Refusal::Folded => 2,
         Refusal::NoLights
         | Refusal::NoLightOfTheList
         | Refusal::TraceDepth
         | Refusal::NoEnvironment
-        | Refusal::NoSamples => 2,
-        Refusal::AboutNothing => 3,
-        Refusal::NoShadowRays | Refusal::LightsOfShadows => 4,
-        Refusal::Unconnected => 5,
+        | Refusal::NoEnvironmentLight
+        | Refusal::NoSamples => 3,
+        Refusal::AboutNothing => 4,
+        Refusal::NoShadowRays | Refusal::LightsOfShadows => 5,
+        Refusal::Unconnected => 6,
     }
 }
 

@@ -83,11 +83,9 @@ impl Claim<'_> {
         format!("the {} root of {graph}", self.account.root.name())
     }
 
-    /// Whether it asks in another root, or for another ray type, than another claim of the same node.
-    pub fn is_same_node(&self, other: &Claim<'_>) -> bool {
-        std::ptr::eq(self.graph, other.graph)
-            && self.part.node == other.part.node
-            && self.part.needed == other.part.needed
+    /// The node in the file of its graph: all uses of the file have it in common, all its roots and ray types.
+    pub fn node(&self) -> (&str, &str) {
+        (&self.graph.used.document.file.name, &self.part.node.name)
     }
 
     /// The ray type it asks for; none where it does for all.

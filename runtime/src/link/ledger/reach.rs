@@ -6,6 +6,7 @@ use phenomenon_compiler::specialise::{Account, Fate};
 use phenomenon_compiler::state::RayType;
 
 use super::claim::{Claim, Graph};
+use crate::lights::LightKind;
 use crate::render::Entry;
 use crate::scene::Scene;
 
@@ -59,7 +60,7 @@ impl<'l> Reach<'l> {
     /// Why a claim comes to nothing; none where some point may ask.
     pub fn refusal(&self, claim: &Claim<'_>) -> Option<Refusal> {
         match claim.part.fate {
-            Fate::Folded(_) => return Some(Refusal::Folded),
+            Fate::Folded { .. } => return Some(Refusal::Folded),
             Fate::AboutNothing => return Some(Refusal::AboutNothing),
             Fate::Unconnected => return Some(Refusal::Unconnected),
             Fate::Asked => {}
@@ -94,6 +95,9 @@ impl<'l> Reach<'l> {
             Entry::SampleLoops if claim.part.samples.is_some_and(|count| count <= 0) => {
                 Some(Refusal::NoSamples)
             }
+            Entry::LightDensities if !self.has_environment_light() => {
+                Some(Refusal::NoEnvironmentLight)
+            }
             Entry::Environment if self.scene.environment.is_none() => Some(Refusal::NoEnvironment),
             _ => None,
         }
@@ -108,6 +112,11 @@ impl<'l> Reach<'l> {
             }
             _ => None,
         }
+    }
+
+    fn has_environment_light(&self) -> bool {
+        let mut kinds = self.scene.lights.iter().map(|light| &light.kind);
+        kinds.any(|kind| matches!(kind, LightKind::Environment { .. }))
     }
 
     fn lists_lights(&self, list: &NamedLights) -> bool {
@@ -132,7 +141,7 @@ fn is_done_ahead(entry: Entry) -> bool {
 pub(super) enum Refusal {
     /// Specialisation left the node out.
     Folded,
-    /// It is given no texture.
+    /// It is given no texture, or stands in no loop over lights.
     AboutNothing,
     /// Nothing connects it to its root.
     Unconnected,
@@ -142,12 +151,14 @@ pub(super) enum Refusal {
     NoShadowRays,
     /// A shadow root asks for lights: it sees them unshadowed.
     LightsOfShadows,
-    /// The trace depth of the scene is 0.
+    /// The trace depth of the scene allows no such ray.
     TraceDepth,
     /// The scene has no lights.
     NoLights,
     /// It has none of those that are named.
     NoLightOfTheList,
+    /// It has no light that is its environment.
+    NoEnvironmentLight,
     /// It has no environment.
     NoEnvironment,
     /// The loop has no turns.
