@@ -13,7 +13,7 @@ pub use allowance::allowable;
 pub use assignment::assignment;
 pub use choices::{EngineChoice, Format, GeneratorChoice, Precision, SimdChoice};
 pub use numbers::{
-    batch, exposure, nodes, runs, samples, seed, threads, tolerance, with_dashed_numbers,
+    batch, exposure, nodes, rays, runs, samples, seed, threads, tolerance, with_dashed_numbers,
 };
 pub use output::picture;
 pub use region::region;

@@ -54,6 +54,11 @@ pub fn samples(text: &str) -> Result<u32, String> {
     count(text, 1..=SAMPLE_LIMIT, "a number of samples a pixel")
 }
 
+/// Reads `--most-rays`.
+pub fn rays(text: &str) -> Result<u64, String> {
+    count(text, 1..=u32::MAX, "a number of rays").map(u64::from)
+}
+
 /// Reads `--threads`.
 pub fn threads(text: &str) -> Result<usize, String> {
     count(text, 1..=1_024_u32, "a number of threads").map(|threads| threads as usize)

@@ -15,8 +15,11 @@ use crate::geometry::{double, single};
 impl Context<'_> {
     /// At points that were shaded by one that asks for `asked`: looks up all there is of the surface, draws every light
     /// sample and casts its shadow ray unless the shader does, and casts a ray of each kind that the shader does not. The
-    /// surfaces these rays meet are worked out, not shaded.
+    /// surfaces these rays meet are worked out, not shaded. The trace depth of the scene bounds them like any other.
     pub(super) fn do_everything_else(&mut self, asked: EffectSet, states: &[State]) {
+        if self.is_over_limit() {
+            return;
+        }
         for state in states {
             let of = &self.surfaces;
             black_box((of.derivative_u(state), of.derivative_v(state), of.footprint(state)));
@@ -34,10 +37,12 @@ impl Context<'_> {
 
     fn light_everything(&mut self, states: &[State]) {
         let scene = self.scene;
+        let mut colors = std::mem::take(&mut self.unseen);
         for (number, light) in (0..).zip(&scene.lights) {
             for sample in 0..light.kind.samples() {
                 let token = ListedSample { light: number, sample }.token();
-                let mut colors = vec![[0.0; 3]; states.len()];
+                colors.clear();
+                colors.resize(states.len(), [0.0; 3]);
                 self.costs.of_mut(Entry::LightLoops).count += states.len() as u64;
                 self.nested(Some(Entry::ShadowRays), |context, scratch| {
                     context.light_points(token, Points::from(states), &mut colors, scratch);
@@ -45,6 +50,7 @@ impl Context<'_> {
                 black_box(&colors);
             }
         }
+        self.unseen = colors;
     }
 
     fn cast(&mut self, trace: Trace, states: &[State]) {
@@ -56,6 +62,17 @@ impl Context<'_> {
             };
             let Some(direction) = unit_direction(along) else { continue };
             let ray = Ray { point: 0, origin: state.point, direction, site: 0 };
+            let levels = (state.reflection_level, state.refraction_level);
+            let allowed = match trace {
+                Trace::Reflection => self.scene.depth.allows_reflection(levels.0, levels.1),
+                Trace::Refraction | Trace::Transparent => {
+                    self.scene.depth.allows_refraction(levels.0, levels.1)
+                }
+                Trace::Environment | Trace::Probe => true,
+            };
+            if !allowed {
+                continue;
+            }
             let (ray_type, count) = match trace {
                 Trace::Reflection => (RayType::Reflection, &mut self.counts.reflection),
                 Trace::Refraction => (RayType::Refraction, &mut self.counts.refraction),

@@ -1,5 +1,7 @@
 //! How much of the time goes into shaders, and how much into what they ask for.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use super::entry::Entry;
@@ -35,6 +37,8 @@ pub(super) struct Clock {
     pub(super) whole: Duration,
     /// What went into each entry, by the innermost one.
     pub(super) entries: [Duration; Entry::COUNT],
+    /// Nanoseconds since the last switch that counts elsewhere, as what was looked up does.
+    pub(super) elsewhere: Arc<AtomicU64>,
 }
 
 impl Clock {
@@ -47,6 +51,7 @@ impl Clock {
             shading: Duration::ZERO,
             whole: Duration::ZERO,
             entries: [Duration::ZERO; Entry::COUNT],
+            elsewhere: Arc::default(),
         }
     }
 
@@ -91,8 +96,9 @@ impl Clock {
             if before.who == Who::Shader {
                 self.shading += passed;
             }
+            let elsewhere = Duration::from_nanos(self.elsewhere.swap(0, Ordering::Relaxed));
             if let Some(entry) = before.entry {
-                self.entries[entry as usize] += passed;
+                self.entries[entry as usize] += passed.saturating_sub(elsewhere);
             }
             self.since = Some(now);
         }

@@ -42,6 +42,10 @@ pub struct Context<'s> {
     /// Of each material, then of the environment: what its shader names. Shared, so that a shading call
     /// holds on to it while the context answers requests.
     links: Arc<[Links]>,
+    /// Most rays it traces: then it answers nothing any more.
+    pub(super) ray_limit: u64,
+    /// Space for colours that nobody looks at.
+    pub(super) unseen: Vec<[f32; 3]>,
     /// Whether it only looks at the environment, to find out how bright it is.
     pub(super) looking: bool,
 }
@@ -61,6 +65,8 @@ impl<'s> Context<'s> {
             nesting: 0,
             light_lists: LightLists::default(),
             links: Arc::new([]),
+            ray_limit: u64::MAX,
+            unseen: Vec::new(),
             looking: false,
         };
         let materials = scene.materials.iter().map(|material| &material.shader);
@@ -88,7 +94,7 @@ impl<'s> Context<'s> {
     /// Takes the time of every camera queue, and of what is looked up.
     pub(super) fn time_all(&mut self) {
         self.clock.every_queue = true;
-        self.surfaces.timed = true;
+        self.surfaces.time_to(&self.clock.elsewhere);
     }
 
     /// What the effects cost so far.
@@ -104,13 +110,20 @@ impl<'s> Context<'s> {
         costs
     }
 
-    /// Runs `work`, which is done for `entry`, with scratch space, unless requests nest too deeply.
+    /// Whether it has traced more rays than it may.
+    #[inline]
+    pub(super) fn is_over_limit(&self) -> bool {
+        self.counts.traced() > self.ray_limit
+    }
+
+    /// Runs `work`, which is done for `entry`, with scratch space, unless requests nest too deeply or there were too many
+    /// rays.
     pub(super) fn nested(
         &mut self,
         entry: Option<Entry>,
         work: impl FnOnce(&mut Self, &mut Scratch),
     ) {
-        if self.nesting == NESTING_LIMIT {
+        if self.nesting == NESTING_LIMIT || self.is_over_limit() {
             return;
         }
         let before = self.clock.renderer(entry);

@@ -55,6 +55,8 @@ pub struct Settings {
     pub tile: u32,
     /// Whether the time of every queue is taken, and of all that is looked up: for [`Rendered::costs`].
     pub every_queue_timed: bool,
+    /// Most rays that a thread traces; a picture that takes more is given up.
+    pub ray_limit: Option<u64>,
 }
 
 impl Region {
@@ -88,6 +90,7 @@ impl Default for Settings {
             batch: 256,
             tile: 16,
             every_queue_timed: false,
+            ray_limit: None,
         }
     }
 }
@@ -119,6 +122,9 @@ pub enum RenderError {
     /// The number of samples is out of range.
     #[error("{0} samples per pixel are not possible: 1 to {SAMPLE_LIMIT} are")]
     Samples(u32),
+    /// The picture takes more rays than it may.
+    #[error("the picture takes more than {0} rays")]
+    Rays(u64),
     /// The threads could not be started.
     #[error("cannot start {threads} rendering threads of {} MiB of stack: {cause}", STACK_BYTES >> 20)]
     Threads {
@@ -189,6 +195,11 @@ pub fn render_region(
     let (film, _) = work.film.into_inner().unwrap_or_else(PoisonError::into_inner);
     let painters = work.contexts.into_inner().unwrap_or_else(PoisonError::into_inner);
     let statistics = statistics(&painters, whole, pool.current_num_threads());
+    if let Some(limit) = settings.ray_limit
+        && painters.iter().any(|painter| painter.context.is_over_limit())
+    {
+        return Err(RenderError::Rays(limit));
+    }
     let mut costs = Costs::default();
     painters.iter().for_each(|painter| costs += &painter.context.costs());
     Ok(Rendered { film, statistics, costs })
@@ -262,6 +273,7 @@ struct Painter<'s> {
 impl<'s> Painter<'s> {
     fn for_scene(scene: &'s Scene, settings: &Settings) -> Self {
         let mut context = Context::new(scene, settings.batch);
+        context.ray_limit = settings.ray_limit.unwrap_or(u64::MAX);
         if settings.every_queue_timed {
             context.time_all();
         }

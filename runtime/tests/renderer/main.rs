@@ -1,6 +1,7 @@
 //! Tests of the renderer with shaders written by hand.
 
 mod answers;
+mod called_for;
 mod environment_light;
 mod invariance;
 mod light_samples;

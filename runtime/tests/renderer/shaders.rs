@@ -7,7 +7,7 @@ use phenomenon_compiler::effects::{
 };
 use phenomenon_compiler::engine::{Links, Shade, Shaded};
 use phenomenon_compiler::graph::RootKind;
-use phenomenon_compiler::state::State;
+use phenomenon_compiler::state::{Field, FieldSet, State};
 use phenomenon_runtime::camera::Camera;
 use phenomenon_runtime::geometry::Mesh;
 use phenomenon_runtime::scene::SceneBuilder;
@@ -21,6 +21,8 @@ pub struct Hand {
     material: Option<Box<Body>>,
     shadow: Option<Box<Body>>,
     environment: Option<Box<Body>>,
+    /// The fields it says it reads, if not all.
+    reads: Option<FieldSet>,
 }
 
 impl Hand {
@@ -46,6 +48,11 @@ impl Hand {
         self
     }
 
+    pub fn reading(mut self, fields: &[Field]) -> Self {
+        self.reads = Some(fields.iter().copied().collect());
+        self
+    }
+
     fn body(&self, root: RootKind) -> Option<&Body> {
         match root {
             RootKind::Material => self.material.as_deref(),
@@ -63,6 +70,10 @@ impl Shade for Hand {
 
     fn effects(&self, _: RootKind) -> EffectSet {
         Effect::ALL.into_iter().collect()
+    }
+
+    fn fields(&self, _: RootKind) -> FieldSet {
+        self.reads.unwrap_or_else(|| Field::ALL.iter().copied().collect())
     }
 
     fn shade_linked(

@@ -50,9 +50,13 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME=VALUE", value_parser = arguments::assignment)]
     set: Vec<TextValue>,
 
-    /// Do not render with all effects on: nothing is told of what is saved
+    /// Do not render with all effects on, which may take many times as long: nothing is told of what is saved
     #[arg(long)]
     no_savings: bool,
+
+    /// Most rays of the picture with all effects on: where it takes more, what is saved is not measured
+    #[arg(long, value_name = "N", default_value = "10000000", value_parser = arguments::rays)]
+    most_rays: u64,
 
     /// Say nothing of findings with this code that are no errors; may be repeated
     #[arg(long, value_name = "CODE", value_parser = arguments::allowable)]
@@ -68,7 +72,7 @@ An effect is on where a node may ask for it once the graphs are specialised to t
 ray; the row names that node. Where it is off, the row says what rules it out: a condition that is decided before
 shading, with the input, the parameter and its value, or a fact about the scene. Costs are those of a small picture,
 rendered on one thread; savings are held against the same picture with all effects on (`render --all-effects`). Time
-that goes into shading what a ray meets counts for that ray.
+that goes into shading what a ray meets counts for that ray, and reading the clock that often takes time itself.
 
 Examples:
   phenomenon effects graphs/glass/advanced_glass.json
@@ -99,11 +103,6 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     let load = |flags| scenes::load(&arguments.file, &library, &arguments.engine, &flags);
     let picture = load(flags(Asking::Guarded))?;
-    let all = with_savings.then(|| load(Flags { silent: true, ..flags(Asking::All) })).transpose();
-    let all = all.map_err(|error| {
-        let message = format!("with all effects on: {error}");
-        Failure::new(message, "mend it, or leave out what is saved: --no-savings")
-    })?;
     let settings = Settings {
         width: arguments.size.width,
         height: arguments.size.height,
@@ -114,7 +113,16 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         every_queue_timed: true,
         ..Settings::default()
     };
-    let measured = Measured::of(&picture, all.as_ref(), settings)?;
+    let mut measured = Measured::of(&picture, settings)?;
+    // One of the two scenes is held at a time.
+    drop(picture);
+    if with_savings {
+        let all = load(Flags { silent: true, ..flags(Asking::All) }).map_err(|error| {
+            let message = format!("with all effects on: {error}");
+            Failure::new(message, "mend it, or leave out what is saved: --no-savings")
+        })?;
+        measured.compare(&all, arguments.most_rays)?;
+    }
     match arguments.format {
         Format::Human => {
             let what = arguments.file.display().to_string();

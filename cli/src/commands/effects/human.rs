@@ -6,7 +6,7 @@ use phenomenon_compiler::diagnostics::grouped;
 use phenomenon_runtime::link::{Asked, Row};
 use phenomenon_runtime::render::{Settings, Unit};
 
-use super::measured::{Measured, MeasuredRow, RowCost, Whole};
+use super::measured::{AllEffects, Measured, RowCost, Whole};
 
 /// Columns of names.
 const NAMES: usize = 24;
@@ -17,14 +17,24 @@ const LEAST_MILLISECONDS: f64 = 0.05;
 pub fn text(what: &str, measured: &Measured) -> String {
     let Settings { width, height, samples, .. } = measured.settings;
     let plural = if samples == 1 { "" } else { "s" };
+    let costs = &measured.costs;
     let mut text =
-        format!("{what}, {width}x{height}, {samples} sample{plural}: {}", whole(&measured.whole));
-    if let Some(all) = &measured.all_effects {
-        text += &format!("; with all effects on {}", whole(all));
+        format!("{what}, {width}x{height}, {samples} sample{plural}: {}", whole(&costs.whole));
+    match &measured.all_effects {
+        AllEffects::NotAsked => {}
+        AllEffects::Measured(all) => {
+            text += &format!("; with all effects on {}", whole(&all.whole))
+        }
+        AllEffects::TooManyRays(limit) => {
+            text += "; what is saved is not measured: with all effects on it takes more than ";
+            text += &format!("{} rays (--most-rays)", grouped(*limit));
+        }
     }
     text += "\n";
-    for row in &measured.rows {
-        let _ = write!(text, "\n{}", of_row(row));
+    let all = measured.all_costs();
+    for (at, row) in measured.rows.iter().enumerate() {
+        let text_of_row = of_row(row, &costs.rows[at], all.map(|all| &all.rows[at]));
+        let _ = write!(text, "\n{text_of_row}");
     }
     text
 }
@@ -33,8 +43,7 @@ fn whole(of: &Whole) -> String {
     format!("{} rays, {:.1} ms", grouped(of.rays), of.milliseconds)
 }
 
-fn of_row(measured: &MeasuredRow) -> String {
-    let MeasuredRow { row, cost, all_effects } = measured;
+fn of_row(row: &Row, cost: &RowCost, all_effects: Option<&RowCost>) -> String {
     let unit = row.entry.unit();
     let name = match &row.file {
         Some(file) => format!("{} {file}", row.entry.name()),
@@ -45,7 +54,7 @@ fn of_row(measured: &MeasuredRow) -> String {
     if row.on {
         costs.push(listed(cost, unit));
     }
-    if let Some(saved) = all_effects.as_ref().and_then(|all| saved(all, cost, unit)) {
+    if let Some(saved) = all_effects.and_then(|all| saved(all, cost, unit)) {
         costs.push(format!("saves {saved}"));
     }
     costs.retain(|cost| !cost.is_empty());

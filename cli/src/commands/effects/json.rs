@@ -1,21 +1,30 @@
 //! The ledger as JSON, version 1. Keys are only ever added.
 
+use phenomenon_runtime::link::Row;
 use phenomenon_runtime::render::{Settings, Unit};
 use serde_json::{Value, json};
 
-use super::measured::{Measured, MeasuredRow, RowCost, Whole};
+use super::measured::{AllEffects, Measured, RowCost, Whole};
 
 /// `{"version":1,"rows":[{"effect","on","reason","rays","milliseconds",…}],…}`.
 pub fn text(measured: &Measured) -> String {
     let Settings { width, height, samples, .. } = measured.settings;
-    let rows: Vec<Value> = measured.rows.iter().map(row).collect();
+    let all = measured.all_costs();
+    let costs = measured.rows.iter().zip(&measured.costs.rows).enumerate();
+    let rows: Vec<Value> =
+        costs.map(|(at, (of, cost))| row(of, cost, all.map(|all| &all.rows[at]))).collect();
+    let given_up = match measured.all_effects {
+        AllEffects::TooManyRays(limit) => Some(limit),
+        AllEffects::NotAsked | AllEffects::Measured(_) => None,
+    };
     let object = json!({
         "version": 1,
         "size": [width, height],
         "samples": samples,
         "rows": rows,
-        "whole": whole(&measured.whole),
-        "all_effects": measured.all_effects.as_ref().map(whole),
+        "whole": whole(&measured.costs.whole),
+        "all_effects": all.map(|all| whole(&all.whole)),
+        "given_up_after_rays": given_up,
     });
     format!("{object:#}\n")
 }
@@ -24,8 +33,7 @@ fn whole(of: &Whole) -> Value {
     json!({ "rays": of.rays, "milliseconds": of.milliseconds })
 }
 
-fn row(measured: &MeasuredRow) -> Value {
-    let MeasuredRow { row, cost, all_effects } = measured;
+fn row(row: &Row, cost: &RowCost, all_effects: Option<&RowCost>) -> Value {
     let unit = row.entry.unit();
     let counted = |count: u64| (unit != Unit::None).then_some(count);
     let asked = row.asked.as_ref();
@@ -40,7 +48,7 @@ fn row(measured: &MeasuredRow) -> Value {
             "bytes": of.bytes.0,
         })
     };
-    let saved = all_effects.as_ref().map(|all| {
+    let saved = all_effects.map(|all| {
         json!({
             "count": counted(all.cost.count).map(|all| all as i64 - cost.cost.count as i64),
             "milliseconds": all.cost.milliseconds - cost.cost.milliseconds,
@@ -62,7 +70,7 @@ fn row(measured: &MeasuredRow) -> Value {
         "count": counted(cost.cost.count),
         "milliseconds": cost.cost.milliseconds,
         "bytes": cost.bytes.0,
-        "all_effects": all_effects.as_ref().map(costs),
+        "all_effects": all_effects.map(costs),
         "saved": saved,
     })
 }

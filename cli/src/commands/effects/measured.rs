@@ -1,10 +1,11 @@
 //! A ledger with what its rows cost.
 
 use phenomenon_runtime::link::{Bytes, Ledger, Row};
-use phenomenon_runtime::render::{Cost, Rendered, Settings};
+use phenomenon_runtime::render::{Cost, RenderError, Rendered, Settings};
 
 use crate::failure::Failure;
 use crate::scenes::Picture;
+use crate::terminal;
 
 /// What a rendering cost as a whole.
 #[derive(Clone, Copy, Debug)]
@@ -24,70 +25,104 @@ pub struct RowCost {
     pub bytes: Bytes,
 }
 
-/// A row with its costs.
+/// What the rows and the whole cost one picture.
 #[derive(Clone, Debug)]
-pub struct MeasuredRow {
-    /// The row.
-    pub row: Row,
-    /// What it cost.
-    pub cost: RowCost,
-    /// What it cost with all effects on, if that was rendered.
-    pub all_effects: Option<RowCost>,
+pub struct Costs {
+    /// The picture.
+    pub whole: Whole,
+    /// By position in the rows.
+    pub rows: Vec<RowCost>,
+}
+
+/// The picture with all effects on.
+#[derive(Clone, Debug)]
+pub enum AllEffects {
+    /// It was not asked for.
+    NotAsked,
+    /// It takes more rays than this.
+    TooManyRays(u64),
+    /// It was rendered.
+    Measured(Costs),
 }
 
 /// A ledger with its costs.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// How the pictures were rendered.
+    /// How the picture was rendered.
     pub settings: Settings,
-    /// The picture as the scene calls for it.
-    pub whole: Whole,
-    /// With all effects on, if that was rendered.
-    pub all_effects: Option<Whole>,
     /// The rows.
-    pub rows: Vec<MeasuredRow>,
+    pub rows: Vec<Row>,
+    /// What they cost in the picture as the scene calls for it.
+    pub costs: Costs,
+    /// And with all effects on.
+    pub all_effects: AllEffects,
 }
 
 impl Measured {
-    /// Renders a picture, and another with all effects on, and holds their costs against one another.
+    /// Renders a picture, and holds its costs against the rows of its ledger.
     ///
     /// # Errors
-    /// A picture cannot be rendered.
-    pub fn of(
-        picture: &Picture,
-        all_effects: Option<&Picture>,
-        settings: Settings,
-    ) -> Result<Self, Failure> {
+    /// The picture cannot be rendered.
+    pub fn of(picture: &Picture, settings: Settings) -> Result<Self, Failure> {
         let Ledger { rows } = picture.ledger()?;
-        let rendered = render(picture, &settings)?;
-        let all =
-            all_effects.map(|of| Ok::<_, Failure>((of, render(of, &settings)?))).transpose()?;
-        let cost = |of: &Picture, rendered: &Rendered, row: &Row| {
-            let (cost, bytes) = Ledger::cost(row, &of.scene, &rendered.costs);
-            RowCost { cost, bytes }
+        let rendered = render(picture, &settings)?.map_err(not_rendered)?;
+        let costs = costs(&rows, picture, &rendered);
+        Ok(Self { settings, rows, costs, all_effects: AllEffects::NotAsked })
+    }
+
+    /// Renders the same with all effects on, which may take so many rays.
+    ///
+    /// # Errors
+    /// The picture cannot be rendered.
+    pub fn compare(&mut self, picture: &Picture, rays: u64) -> Result<(), Failure> {
+        let settings = Settings { ray_limit: Some(rays), ..self.settings };
+        self.all_effects = match render(picture, &settings)? {
+            Ok(rendered) => AllEffects::Measured(costs(&self.rows, picture, &rendered)),
+            Err(RenderError::Rays(limit)) => AllEffects::TooManyRays(limit),
+            Err(error) => return Err(not_rendered(error)),
         };
-        let row = |row: Row| MeasuredRow {
-            cost: cost(picture, &rendered, &row),
-            all_effects: all.as_ref().map(|(of, rendered)| cost(of, rendered, &row)),
-            row,
-        };
-        Ok(Self {
-            settings,
-            whole: whole(&rendered),
-            all_effects: all.as_ref().map(|(_, rendered)| whole(rendered)),
-            rows: rows.into_iter().map(row).collect(),
-        })
+        Ok(())
+    }
+
+    /// The costs with all effects on, if they were measured.
+    pub fn all_costs(&self) -> Option<&Costs> {
+        match &self.all_effects {
+            AllEffects::Measured(costs) => Some(costs),
+            AllEffects::NotAsked | AllEffects::TooManyRays(_) => None,
+        }
     }
 }
 
-fn render(picture: &Picture, settings: &Settings) -> Result<Rendered, Failure> {
-    let rendered = phenomenon_runtime::render::render(&picture.scene, settings, &|_, _| ())
-        .map_err(|error| Failure::new(error, "choose other values for --size or --spp"))?;
-    picture.require_jit()?;
-    Ok(rendered)
+fn costs(rows: &[Row], picture: &Picture, rendered: &Rendered) -> Costs {
+    let cost = |row: &Row| {
+        let (cost, bytes) = Ledger::cost(row, &picture.scene, &rendered.costs);
+        RowCost { cost, bytes }
+    };
+    let statistics = &rendered.statistics;
+    let whole =
+        Whole { rays: statistics.rays.traced(), milliseconds: statistics.whole_milliseconds };
+    Costs { whole, rows: rows.iter().map(cost).collect() }
 }
 
-fn whole(rendered: &Rendered) -> Whole {
-    let statistics = &rendered.statistics;
-    Whole { rays: statistics.rays.traced(), milliseconds: statistics.whole_milliseconds }
+fn not_rendered(error: RenderError) -> Failure {
+    Failure::new(error, "choose other values for --size or --spp")
+}
+
+/// Renders once to have the code made, with one sample, and once to measure.
+fn render(
+    picture: &Picture,
+    settings: &Settings,
+) -> Result<Result<Rendered, RenderError>, Failure> {
+    let bar = terminal::progress("tiles", false);
+    let progress = |done: usize, total: usize| {
+        bar.set_length(total as u64);
+        bar.set_position(done as u64);
+    };
+    let render =
+        |settings| phenomenon_runtime::render::render(&picture.scene, &settings, &progress);
+    let warm = render(Settings { samples: 1, ..*settings });
+    let rendered = warm.and_then(|_| render(*settings));
+    bar.finish_and_clear();
+    picture.require_jit()?;
+    Ok(rendered)
 }
