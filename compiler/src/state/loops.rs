@@ -43,6 +43,6 @@ mod tests {
             }
             assert_eq!(iterated.words(), next);
         }
-        assert_eq!(Iterated::Lights.words(), 4);
+        assert_eq!(Iterated::Lights.words(), 5);
     }
 }
