@@ -92,7 +92,7 @@ pub struct LightSight {
 impl Light {
     /// The light as `point` sees it, or of a light with extent the place of it that lies at `at` in the unit square;
     /// none if nothing can arrive from there: it has no direction, as at its very centre, or shines to another side. What an
-    /// environment shows is not known here: [`Light::seen_towards`].
+    /// environment shows is not known here: `Light::seen_towards`.
     #[inline]
     pub fn seen_from(&self, point: [f32; 3], at: [f64; 2]) -> Option<LightSight> {
         let point = double(point);
