@@ -76,7 +76,7 @@ impl Picture {
         failures.next().map_or(Ok(()), |error| Err(graphs::jit_failed(error)))
     }
 
-    /// Points shaded by each engine; `all` is their number, for a monolith does not count its own.
+    /// Points shaded by each engine; `all` is their number, for a monolith does not count its own: the rest is its.
     pub fn points(&self, engine: EngineChoice, all: u64) -> Vec<(&'static str, u64)> {
         let mut points: Vec<(&'static str, u64)> = Vec::new();
         for (engine, count) in self.shaders.iter().flat_map(|shader| shader.points()) {
@@ -87,7 +87,7 @@ impl Picture {
         }
         if engine == EngineChoice::Monolith {
             let compiled: u64 = points.iter().map(|(_, count)| count).sum();
-            points.insert(0, ("monolith", all - compiled));
+            points.insert(0, ("monolith", all.saturating_sub(compiled)));
         }
         points
     }

@@ -116,6 +116,38 @@ fn a_scene_brings_its_own_options() {
 }
 
 #[test]
+fn points_that_find_out_how_bright_the_sky_is_are_counted() {
+    let folder = Folder::new();
+    let sky = r#"{ "phenomenon": "own_sky",
+      "nodes": { "blue": { "type": "constant_color", "inputs": { "value": [0.5, 0.75, 1] } } },
+      "roots": { "environment": { "node": "blue" } } }"#;
+    folder.file("own_sky.json", sky);
+    let stage = r#"{ "scene": "s", "camera": { "position": [0, 0, 10], "look_at": [0, 0, 0] },
+      "objects": [{ "sphere": { "center": [0, 0, 0], "radius": 1.5 }, "material": { "subject": true } }],
+      "lights": [{ "name": "sky", "environment": { "samples": 2 } }],
+      "environment": { "file": "own_sky.json" }, "options": { "size": [8, 8], "samples": 2 } }"#;
+    let stage = folder.file("stage.json", stage);
+    let (stats, picture) = (folder.path("stats.json"), folder.path("a.png"));
+    let points = |engine: &str| {
+        let stage = ["graphs/floor/checker_floor.json", "--scene", &stage, "-o", &picture];
+        printed(&[&["render"], &stage[..], &["--engine", engine, "--stats", &stats]].concat());
+        let stats: Value = serde_json::from_slice(&std::fs::read(&stats).unwrap()).unwrap();
+        let points = stats["points"].as_object().unwrap().iter();
+        points.map(|(name, count)| (name.clone(), count.as_u64().unwrap())).collect::<Vec<_>>()
+    };
+    let of = |points: &[(String, u64)], engine| {
+        points.iter().find(|(name, _)| name == engine).map(|(_, count)| *count)
+    };
+    let sum = |points: &[(String, u64)]| points.iter().map(|(_, count)| count).sum::<u64>();
+    let [compiled, by_hand] = ["batch", "monolith"].map(points);
+    // Every camera ray, every light sample that no shadow ray lost, and 512 by 256 directions.
+    assert!((131_072 + 128..131_072 + 256).contains(&sum(&compiled)), "{compiled:?}");
+    assert_eq!(sum(&by_hand), sum(&compiled), "{by_hand:?}");
+    let on_the_ball = of(&by_hand, "monolith").unwrap();
+    assert!((1..64).contains(&on_the_ball), "{by_hand:?}");
+}
+
+#[test]
 fn the_picture_is_named_after_the_file() {
     let folder = Folder::new();
     let graph = concat!(env!("CARGO_MANIFEST_DIR"), "/../graphs/constant/constant_simple.json");

@@ -80,7 +80,8 @@ pub trait Renderer {
     }
 
     /// How densely the environment light draws each direction, per steradian and of all its samples: what
-    /// [`LightSample::density`] would be there. 0 without such a light.
+    /// [`LightSample::density`] would be there. 0 without such a light, where it lights nothing, and for a direction that is zero
+    /// or not finite; of others the length does not matter.
     fn light_density(&mut self, _directions: &[[f32; 3]], densities: &mut [f32]) {
         densities.fill(0.0);
     }

@@ -48,6 +48,8 @@ pub struct Context<'s> {
     pub(super) unseen: Vec<[f32; 3]>,
     /// Whether it only looks at the environment, to find out how bright it is.
     pub(super) looking: bool,
+    /// What is being shaded, innermost; none between shaders.
+    pub(super) shading: Option<RootKind>,
 }
 
 impl<'s> Context<'s> {
@@ -68,6 +70,7 @@ impl<'s> Context<'s> {
             ray_limit: u64::MAX,
             unseen: Vec::new(),
             looking: false,
+            shading: None,
         };
         let materials = scene.materials.iter().map(|material| &material.shader);
         let environment = scene.environment.as_ref().and_then(Environment::shader);
@@ -79,6 +82,14 @@ impl<'s> Context<'s> {
     /// One that only looks at the environment.
     pub(super) fn looking(scene: &'s Scene, batch: usize) -> Self {
         Self { looking: true, ..Self::new(scene, batch) }
+    }
+
+    /// Counts what another did on its behalf; times are taken by its own clock, which runs on.
+    pub(super) fn bear(&mut self, other: &Self) {
+        self.counts += other.counts;
+        self.points += other.points;
+        self.costs += &other.costs;
+        other.surfaces.add_to(&mut self.costs);
     }
 
     /// Rays so far.
@@ -313,8 +324,10 @@ impl<'s> Context<'s> {
     ) {
         self.points += states.len() as u64;
         let before = self.clock.shader();
+        let outer = self.shading.replace(root);
         let all = Arc::clone(&self.links);
         shader.shade_linked(root, states, &all[links], self, results);
+        self.shading = outer;
         self.clock.switch(before);
     }
 

@@ -1,9 +1,11 @@
 //! The environment as a light: directions drawn where it is bright, and what it shows there.
 
 use phenomenon_compiler::effects::{Points, Ray};
+use phenomenon_compiler::graph::RootKind;
 use phenomenon_compiler::state::{RayType, State};
 
 use super::context::Context;
+use super::entry::Entry;
 use super::points::environment_state;
 use super::scratch::Scratch;
 use crate::geometry::{double, single};
@@ -14,22 +16,28 @@ use crate::lights::{
 /// Request site of the environment's shader where a light sample looks at it.
 const LOOK_SITE: u64 = 0x6c6f_6f6b;
 
-impl Context<'_> {
-    /// How densely directions of the environment are drawn. Found out once for a scene, by whoever asks first; what finds it out
-    /// sees no such light itself.
-    fn directions(&self) -> Option<&DirectionTable> {
+impl<'s> Context<'s> {
+    /// How densely directions of the environment are drawn. Found out once for a scene, by whoever asks first, who bears what
+    /// it costs; what finds it out sees no such light itself.
+    fn directions(&mut self) -> Option<&'s DirectionTable> {
         if self.looking {
             return None;
         }
-        self.scene
-            .directions
-            .get_or_init(|| Context::looking(self.scene, self.batch).look())
-            .as_ref()
+        let scene = self.scene;
+        let table = scene.directions.get_or_init(|| {
+            let before = self.clock.renderer(Some(Entry::EnvironmentShader));
+            let mut looking = Context::looking(scene, self.batch);
+            let table = looking.look();
+            self.bear(&looking);
+            self.clock.switch(before);
+            table
+        });
+        table.as_ref()
     }
 
     /// A sample of the light as a point sees it. The environment's own shader is not lit by it: it would never end.
     pub(super) fn seen_in_environment(
-        &self,
+        &mut self,
         light: &Light,
         point: &State,
         at: [f64; 2],
@@ -41,16 +49,22 @@ impl Context<'_> {
         Some(light.seen_towards(towards, density))
     }
 
-    /// How densely the environment light draws directions, with all its samples.
-    pub(super) fn density_of_directions(&self, directions: &[[f32; 3]], densities: &mut [f32]) {
+    /// How densely the environment light draws directions, with all its samples: not at all where it lights nothing, which is
+    /// its own shader.
+    pub(super) fn density_of_directions(&mut self, directions: &[[f32; 3]], densities: &mut [f32]) {
         densities.fill(0.0);
+        if self.shading == Some(RootKind::Environment) {
+            return;
+        }
         let mut kinds = self.scene.lights.iter().map(|light| light.kind);
         let light = kinds.find(|kind| matches!(kind, LightKind::Environment { .. }));
         let Some(light) = light else { return };
         let Some(table) = self.directions() else { return };
         for (direction, density) in directions.iter().zip(densities) {
-            if direction.iter().all(|x| x.is_finite()) {
-                *density = table.density(double(*direction)) * light.samples() as f32;
+            let long = double(*direction);
+            let length = long.length();
+            if length > 0.0 && length.is_finite() {
+                *density = table.density(long / length) * light.samples() as f32;
             }
         }
     }

@@ -86,7 +86,7 @@ impl Context<'_> {
     /// A sample of a light as a point sees it. Where on the light it lies, point and sample alone decide: it is
     /// the same however points are grouped, and the same for all loops at the point.
     #[inline]
-    fn seen(&self, light: &Light, listed: ListedSample, point: &State) -> Option<LightSight> {
+    fn seen(&mut self, light: &Light, listed: ListedSample, point: &State) -> Option<LightSight> {
         let at = match light.kind.has_extent() {
             true => light_position(point.path, listed.light, listed.sample),
             false => [0.5; 2],

@@ -48,7 +48,8 @@ impl AddAssign for RayCounts {
 pub struct Statistics {
     /// Rays by kind.
     pub rays: RayCounts,
-    /// Points shaded: materials, shadows and environment shaders.
+    /// Points shaded: materials, shadows and environment shaders, with the directions in which an environment light looked at
+    /// its graph, if it was this rendering that asked for the light of the scene first.
     pub points: u64,
     /// Wall time of the rendering, in milliseconds.
     pub whole_milliseconds: f64,

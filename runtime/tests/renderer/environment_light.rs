@@ -1,16 +1,17 @@
 //! The environment as a light of the scene.
 
-use phenomenon_compiler::effects::{LightMode, LightSample, Renderer};
+use phenomenon_compiler::effects::{Answer, LightMode, LightSample, Ray, Renderer, Trace};
 use phenomenon_compiler::engine::Shaded;
 use phenomenon_compiler::state::{RayType, State};
 use phenomenon_runtime::film::Film;
 use phenomenon_runtime::geometry::Transform;
 use phenomenon_runtime::lights::{Environment, EnvironmentImage, LIGHT_LIMIT, Light, LightKind};
-use phenomenon_runtime::render::Context;
+use phenomenon_runtime::render::{Context, Entry, Settings, render};
 use phenomenon_runtime::scene::Scene;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::shaders::{Hand, builder, dot, each, normals};
+use crate::shaders::{Hand, builder, dot, each, matte, normals};
 
 const UP: [f32; 3] = [0.0, 1.0, 0.0];
 
@@ -123,7 +124,56 @@ fn skies_without_light_send_nothing_and_all_numbers_are_finite() {
         let mut densities = [0.0; 3];
         let nowhere = [[0.0; 3], [f32::NAN; 3], [0.0, f32::INFINITY, 0.0]];
         context.light_density(&nowhere, &mut densities);
-        assert!(densities.iter().all(|x| x.is_finite()));
+        assert_eq!(densities, [0.0; 3]);
+    }
+}
+
+#[test]
+fn the_length_of_a_direction_does_not_matter() {
+    let scene = lit_by(image(8, 64, |column, row| (column * row) as f32), 3, false);
+    let mut context = Context::new(&scene, 16);
+    for [x, y, z] in [[0.6, 0.8, 0.0], [0.0, -0.28, 0.96], [-0.36, 0.48, 0.8]] {
+        let scales = [1.0, 0.25, 8.0, 2.0_f32.powi(-60), 2.0_f32.powi(60)];
+        let directions = scales.map(|by| [x * by, y * by, z * by]);
+        let mut densities = [0.0; 5];
+        context.light_density(&directions, &mut densities);
+        assert!(densities[0] > 0.0);
+        assert_eq!(densities, [densities[0]; 5]);
+    }
+}
+
+#[test]
+fn what_looks_at_the_sky_is_counted() {
+    let calls = Arc::new(AtomicU64::new(0));
+    let counted = calls.clone();
+    let shade = move |points: &[State], renderer: &mut dyn Renderer, results: &mut [Shaded]| {
+        counted.fetch_add(points.len() as u64, Ordering::Relaxed);
+        // A shader with rays of its own: each meets nothing, and an environment's sees none.
+        let rays: Vec<Ray> = (0..points.len() as u32)
+            .map(|point| Ray { point, origin: [0.0; 3], direction: UP, site: 1 })
+            .collect();
+        renderer.trace(Trace::Probe, points, &rays, &mut vec![Answer::default(); points.len()]);
+        results.fill(Shaded { color: [1.0; 4], ok: true });
+    };
+    let shader = Arc::new(Hand::default().with_environment(shade));
+    let mut builder = builder();
+    let kind = LightKind::Environment { samples: 2 };
+    builder.light(Light { name: "sky".into(), power: [1.0; 3], kind });
+    builder.environment(Environment::Shader(shader));
+    let material = builder.material(matte(true));
+    builder.sphere([0.0; 3], 1.0, &Transform::default(), material).unwrap();
+    let scene = builder.build().unwrap();
+    let settings = Settings { width: 8, height: 8, samples: 1, threads: 2, ..Settings::default() };
+    for looks in [512 * 256, 0] {
+        calls.store(0, Ordering::Relaxed);
+        let rendered = render(&scene, &settings, &|_, _| {}).unwrap();
+        let (calls, cost) = (calls.load(Ordering::Relaxed), &rendered.costs);
+        let statistics = rendered.statistics;
+        assert!((looks + 50..looks + 100).contains(&calls), "{calls}");
+        assert_eq!(cost.of(Entry::EnvironmentShader).count, calls);
+        assert_eq!((statistics.rays.probe, cost.of(Entry::Probe).count), (calls, calls));
+        let on_the_ball = 64 - statistics.rays.environment;
+        assert_eq!(statistics.points, calls + on_the_ball);
     }
 }
 
@@ -145,11 +195,12 @@ fn a_shader_of_the_sky_is_asked_where_samples_lie_and_is_not_lit_itself() {
     // Another that lights itself: it gets nothing.
     let itself = |points: &[State], renderer: &mut dyn Renderer, results: &mut [Shaded]| {
         let list = renderer.light_list(&[], LightMode::All);
-        let mut sample = [LightSample::default()];
+        let (mut sample, mut density) = ([LightSample::default()], [1.0]);
         for (point, result) in points.iter().zip(results) {
             let point = std::slice::from_ref(point);
             renderer.light_samples(list, 0, point.into(), &mut sample);
-            assert!(!sample[0].reachable);
+            renderer.light_density(&[UP], &mut density);
+            assert!(!sample[0].reachable && density == [0.0]);
             *result = Shaded { color: [1.0; 4], ok: true };
         }
     };
