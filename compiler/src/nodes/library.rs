@@ -128,7 +128,7 @@ impl Definition {
         settled
     }
 
-    /// A node whose outputs are fields of the state, by these names.
+    /// A node whose outputs are fields of the state, by these names, with the ranges they have there.
     pub fn of_fields(
         name: impl Into<Name>,
         doc: &str,
@@ -136,7 +136,11 @@ impl Definition {
     ) -> Self {
         let (names, fields): (Vec<_>, Vec<_>) = fields.into_iter().unzip();
         let output = |(&name, field): (&&'static str, &Field)| {
-            Output::new(name, &[field.doc()], field.value_type())
+            let output = Output::new(name, &[field.doc()], field.value_type());
+            match field.range() {
+                Some(range) => output.within(range),
+                None => output,
+            }
         };
         Self::without_body(Signature {
             name: name.into(),

@@ -189,7 +189,7 @@ fn range(range: &RangeInclusive<f64>, shown: bool) -> String {
     if *range == FINITE {
         return "finite".into();
     }
-    if *range == NOT_NEGATIVE {
+    if *range == NOT_NEGATIVE || *range == (0.0..=f64::from(i32::MAX)) {
         return "0 or more".into();
     }
     format!("{} to {}", bound(*range.start()), bound(*range.end()))
@@ -198,7 +198,9 @@ fn range(range: &RangeInclusive<f64>, shown: bool) -> String {
 /// A bound as people write it.
 fn bound(value: f64) -> String {
     let rounded = value as f32;
-    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
+    if value == f64::INFINITY {
+        "infinity".into()
+    } else if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
         rounded.to_string()
     } else {
         format!("{rounded:e}")
@@ -241,6 +243,9 @@ mod tests {
         assert_eq!(cell("a | b\nc"), "a \\| b c");
         assert_eq!(range(&(-1.0..=1.0), true), "-1 to 1");
         assert_eq!(range(&(0.0..=1e19), true), "0 to 1e19");
+        assert_eq!(range(&(0.0..=f64::INFINITY), true), "0 to infinity");
+        assert_eq!(range(&NOT_NEGATIVE, true), "0 or more");
+        assert_eq!(range(&(0.0..=f64::from(i32::MAX)), true), "0 or more");
         assert_eq!(range(&FINITE, true), "finite");
         assert_eq!(range(&FINITE, false), "");
     }

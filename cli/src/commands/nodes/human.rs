@@ -169,7 +169,8 @@ fn range(value_type: Type, low: f64, high: f64) -> String {
     if !value_type.is_numeric() {
         return String::new();
     }
-    let (from, to) = (low > -f64::from(f32::MAX), high < f64::from(f32::MAX));
+    let most = if value_type == Type::Integer { i32::MAX.into() } else { f64::from(f32::MAX) };
+    let (from, to) = (low > -f64::from(f32::MAX), high < most);
     let above_zero = low == f64::from(f32::MIN_POSITIVE);
     let (low, high) = (rounded(low), rounded(high));
     match (from, to) {

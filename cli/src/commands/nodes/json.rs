@@ -136,7 +136,8 @@ fn insert_range(object: &mut Map<String, Value>, value_type: Type, low: f64, hig
     if low > -f64::from(f32::MAX) {
         object.insert("min".into(), low.into());
     }
-    if high < f64::from(f32::MAX) {
+    let most = if value_type == Type::Integer { i32::MAX.into() } else { f64::from(f32::MAX) };
+    if high < most {
         object.insert("max".into(), high.into());
     }
 }
