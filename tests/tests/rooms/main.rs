@@ -2,6 +2,7 @@
 //! `docs/architecture.md`; a room imports those of lower floors, a file no file that imports it.
 
 mod edits;
+mod gallery;
 mod paths;
 mod plan;
 mod tree;
