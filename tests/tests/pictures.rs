@@ -145,8 +145,8 @@ fn every_engine_renders_the_same_bytes_with_the_same_rays() {
 
 #[test]
 fn what_is_written_by_hand_is_the_same_in_every_engine() {
-    let size = (20, 15);
-    for graph in BY_HAND {
+    let size = (40, 30);
+    for graph in GRAPHS.into_iter().chain(BY_HAND) {
         for shape in ["default", "teapot"] {
             let engines = [
                 (Engine::Walk, None),
