@@ -13,7 +13,8 @@ trap 'rm -rf "$work"' EXIT INT TERM
 copy="$work/copy"
 git clone --quiet "$(git -C "$here" rev-parse --show-toplevel)" "$copy"
 cd "$copy"
-export CARGO_TARGET_DIR="$work/target"
+# Whoever has built dependencies before may name the folder in CARGO_TARGET_DIR.
+export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$work/target}"
 program="$CARGO_TARGET_DIR/release/phenomenon"
 graph=graphs/glass/advanced_glass.json
 
