@@ -19,7 +19,8 @@ program="$CARGO_TARGET_DIR/release/phenomenon"
 graph=graphs/glass/advanced_glass.json
 
 render() { # ENGINE PICTURE
-    "$program" render "$graph" --engine "$1" --set opacity=0.6 --size 64x64 --spp 4 -o "$2" >/dev/null
+    "$program" render "$graph" --engine "$1" --set opacity=0.6 --size 64x64 --spp 4 -o "$2" \
+        >"$work/told" 2>&1 || { cat "$work/told" >&2; exit 1; }
 }
 
 milliseconds() {
