@@ -50,6 +50,14 @@ impl Shading {
             Self::ByHand(shader) => shader.as_ref(),
         }
     }
+
+    /// Time spent compiling so far, machine code included, in milliseconds; none without a graph.
+    pub fn compile_milliseconds(&self) -> Option<f64> {
+        match self {
+            Self::Compiled(shader) => Some(shader.compile_milliseconds()),
+            Self::ByHand(_) => None,
+        }
+    }
 }
 
 impl Column {

@@ -15,6 +15,9 @@ const TURN: Duration = Duration::from_millis(10);
 pub struct Contender {
     /// Who it is.
     pub column: Column,
+    /// Time spent compiling its graph by itself, machine code included, in milliseconds; none where that was not
+    /// measured.
+    pub compile_milliseconds: Option<f64>,
     shading: Shading,
     /// Passes over all points in a turn.
     passes: u32,
@@ -34,7 +37,7 @@ impl Contender {
             points.shade(shading.shader());
             passes += 1;
         }
-        Self { column, shading, passes, turns: Vec::new() }
+        Self { column, compile_milliseconds: None, shading, passes, turns: Vec::new() }
     }
 
     /// Measures it once.
@@ -60,14 +63,6 @@ impl Contender {
     /// The median of the ratios to what another took in the same turn.
     pub fn ratio(&self, to: &Self) -> f64 {
         median(self.turns.iter().zip(&to.turns).map(|(own, other)| own / other))
-    }
-
-    /// Time spent compiling its graph, machine code included, in milliseconds; none without a graph.
-    pub fn compile_milliseconds(&self) -> Option<f64> {
-        match &self.shading {
-            Shading::Compiled(shader) => Some(shader.compile_milliseconds()),
-            Shading::ByHand(_) => None,
-        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! All that shade one subject, against one another.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use phenomenon_compiler::effects::NoScene;
@@ -85,17 +86,27 @@ pub fn of_material(
     let subject = Subject::Material(material);
     let mut stage = Stage::new(material, library)?;
     let saved = Saved::of(&mut stage)?;
-    // Whatever else any of them asks is recorded too.
-    for &column in columns {
+    // Whatever else any of them asks is recorded too. Each is compiled by itself: shaders that are in use share their
+    // code, so what the contenders take to compile would tell of the first alone. The second time nothing of the
+    // process is new.
+    let mut compiling = Vec::new();
+    for &column in columns.iter().chain(columns) {
         if let Some(shading) = column.shading(subject, &stage.graph, MOST_POINTS)? {
             stage.record(shading.shader());
+            compiling.extend(shading.compile_milliseconds().map(|took| (column, took)));
         }
     }
+    let compiling: HashMap<&str, f64> =
+        compiling.into_iter().map(|(column, took)| (column.name(), took)).collect();
     let (graph, states) = (Arc::clone(&stage.graph), stage.states().to_vec());
     let recorded = stage.recorded();
     let race = |batch| {
         let points = Points::new(states.clone(), batch, Answers::Recorded(recorded.clone()));
-        race(subject, &graph, columns, batch, points)
+        let mut race = race(subject, &graph, columns, batch, points)?;
+        for contender in &mut race.contenders {
+            contender.compile_milliseconds = compiling.get(contender.column.name()).copied();
+        }
+        Ok(race)
     };
     let races: Result<Vec<Race>, Failure> = BATCHES.into_iter().map(race).collect();
     Ok((races?, saved))

@@ -45,8 +45,8 @@ fn table(first: &str, races: &[&Race], bases: &[Column], compiled: bool) -> Stri
         for of in &race.contenders {
             text += &line(race, of, bases);
             if compiled {
-                let milliseconds = of.compile_milliseconds();
-                let shown = milliseconds.map_or_else(String::new, |it| format!("{it:.2}"));
+                let shown =
+                    of.compile_milliseconds.map_or_else(String::new, |it| format!("{it:.2}"));
                 text += &format!(" {shown} |");
             }
             text.push('\n');
@@ -103,9 +103,7 @@ pub fn rows(races: &[Race]) -> Vec<Value> {
             "ns_per_point": of.nanoseconds(),
             "spread": of.spread(),
         });
-        if let (Subject::Material(_), Some(milliseconds)) =
-            (race.subject, of.compile_milliseconds())
-        {
+        if let Some(milliseconds) = of.compile_milliseconds {
             row["compile_ms"] = json!(milliseconds);
         }
         row

@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use phenomenon_compiler::check::check_graph;
 use phenomenon_compiler::document::read;
 use phenomenon_compiler::effects::Renderer;
-use phenomenon_compiler::engine::{Options, Shade, Shaded, Shader};
+use phenomenon_compiler::engine::{Engine, Options, Shade, Shaded, Shader};
 use phenomenon_compiler::graph::Graph;
 use phenomenon_compiler::nodes::NodeLibrary;
 use phenomenon_compiler::state::{Camera, Object, Objects, State, Surface};
@@ -141,9 +141,10 @@ impl Stage {
     }
 }
 
-/// As the renderer compiles them.
+/// As the renderer compiles them, without machine code: contenders would share it.
 fn options() -> Options {
-    Options { roots: CALLED_ROOTS, called_rays_only: true, ..Options::default() }
+    let engine = Engine::Batch;
+    Options { engine, roots: CALLED_ROOTS, called_rays_only: true, ..Options::default() }
 }
 
 /// The default scene with a shader for its subject; none where it has become unusable.
